@@ -1,4 +1,4 @@
-"""``serve``, as an author has it: a small book is edited while a page of it is open."""
+"""``serve`` for an author: a small book is edited while one of its pages is open."""
 
 import re
 import shutil
@@ -22,7 +22,7 @@ MARKED = "window.sameLoad === true"
 
 @dataclass(frozen=True, slots=True)
 class Author:
-    """A served copy of the German book, and a page of it; the browser runs no Python."""
+    """A served copy of the German book and one of its pages; the browser runs no Python."""
 
     book: Path
     address: str
@@ -31,7 +31,7 @@ class Author:
     """Title of the page before the first build."""
 
     def open(self, chapter: str) -> None:
-        """A page that listens, and that would not be the same after it was loaded anew."""
+        """Open a page that listens for changes, and mark it to detect a reload."""
         with self.page.expect_response("**/.reload/events"):
             self.page.goto(f"{self.address}{chapter}/", wait_until="load")
         self.page.evaluate("window.sameLoad = true")
@@ -92,12 +92,12 @@ def author(
             serving.terminate()
 
 
-def test_a_page_opened_during_the_first_build_shows_the_book_after_it(author: Author) -> None:
+def test_page_opened_during_the_first_build_shows_the_book_after_it(author: Author) -> None:
     assert author.first_title == "Being built"
     expect(author.page).to_have_title(re.compile("Das Pendel"))
 
 
-def test_an_edited_sentence_is_put_into_the_page_as_it_is(author: Author) -> None:
+def test_edited_sentence_is_updated_without_a_reload(author: Author) -> None:
     author.open("das-pendel")
     page = author.page
     option = page.locator("#quiz-was-zaehlt input[value='1']")
@@ -113,7 +113,7 @@ def test_an_edited_sentence_is_put_into_the_page_as_it_is(author: Author) -> Non
     expect(length).to_have_value("2.5")
 
 
-def test_a_style_rule_changes_the_page_as_it_is(author: Author) -> None:
+def test_new_style_rule_is_applied_without_a_reload(author: Author) -> None:
     author.open("das-pendel")
     with (author.book / "static" / "css" / "prose.css").open("a", encoding="utf-8") as sheet:
         sheet.write("\nmain { letter-spacing: 3px; }\n")
@@ -121,7 +121,7 @@ def test_a_style_rule_changes_the_page_as_it_is(author: Author) -> None:
     assert author.is_same_load()
 
 
-def test_a_page_that_is_loaded_anew_has_the_answers_that_were_not_sent(author: Author) -> None:
+def test_reloaded_page_keeps_answers_that_were_not_submitted(author: Author) -> None:
     author.open("das-pendel")
     page = author.page
     guess = page.locator("#predict-wie-lange input[name=guess]")
@@ -141,18 +141,18 @@ def test_a_page_that_is_loaded_anew_has_the_answers_that_were_not_sent(author: A
     expect(page.locator("#quiz-was-noch input[value='2']")).to_be_checked()
 
 
-def test_a_mistake_lies_over_the_page_until_it_is_mended(author: Author) -> None:
+def test_mistake_is_shown_over_the_page_until_it_is_corrected(author: Author) -> None:
     author.open("zahlen")
-    told = author.page.locator("#build-mistakes")
+    mistakes = author.page.locator("#build-mistakes")
     author.edit("content/03-zahlen.md", "Auf der Erde", "Auf der Erde, siehe {ref}`nowhere`,")
-    expect(told).to_contain_text(re.compile(r"content/03-zahlen\.md:\d+: .*nowhere"))
+    expect(mistakes).to_contain_text(re.compile(r"content/03-zahlen\.md:\d+: .*nowhere"))
     author.edit("content/03-zahlen.md", "{ref}`nowhere`", "unten")
     expect(author.page.locator("main")).to_contain_text("Auf der Erde, siehe unten")
-    expect(told).to_have_count(0)
+    expect(mistakes).to_have_count(0)
     assert author.is_same_load()
 
 
-def test_a_changed_scene_loads_its_page_with_the_settings_of_the_figure(author: Author) -> None:
+def test_changed_scene_reloads_its_page_and_keeps_the_settings(author: Author) -> None:
     author.open("das-pendel")
     page = author.page
     place = page.locator("#figure-fadenpendel [name=ort]").first

@@ -1,5 +1,5 @@
-"""Editions as readers have them: notebooks, started in their folder, show what the site shows; an
-e-book passes the checker of its standard."""
+"""Editions as readers get them: notebooks, run in their folder, show the pictures of the site; an
+e-book passes EPUBCheck."""
 
 import re
 import shutil
@@ -26,7 +26,7 @@ shown.widgets["number"].value = 4
 print(shown.frame.description)
 """
 PACKED = b"PK"
-"""How an archive of Java begins: Debian's command is one."""
+"""The first bytes of a Java archive, which Debian's command is."""
 MISSING = "epubcheck is not installed; `apt-get install epubcheck` installs it, with Java"
 
 
@@ -60,7 +60,7 @@ def identity(raster: Raster) -> tuple[tuple[int, ...], bytes]:
     return raster.shape, raster.tobytes()
 
 
-def test_figures_of_another_book_run_from_its_folder_of_notebooks_alone(
+def test_notebooks_of_another_book_run_from_their_folder_alone(
     engine: Engine, site: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "out"
@@ -76,7 +76,7 @@ def test_figures_of_another_book_run_from_its_folder_of_notebooks_alone(
 
 
 @pytest.mark.deep
-def test_every_notebook_of_this_book_runs_and_has_the_pictures_of_the_site(
+def test_every_notebook_of_this_book_runs_and_shows_the_sites_pictures(
     built_site: Path, tmp_path: Path
 ) -> None:
     out = tmp_path / "out"
@@ -90,10 +90,10 @@ def test_every_notebook_of_this_book_runs_and_has_the_pictures_of_the_site(
 
 @pytest.mark.deep
 @pytest.mark.parametrize("book", [ROOT, GERMAN_BOOK], ids=lambda book: book.name)
-def test_epubcheck_finds_no_errors_and_no_warnings_in_an_e_book(
+def test_epubcheck_finds_no_errors_or_warnings_in_an_e_book(
     engine: Engine, tmp_path: Path, book: Path
 ) -> None:
-    """EPUBCheck is of the W3C."""
+    """EPUBCheck is the W3C's checker."""
     checker = shutil.which("epubcheck")
     assert checker, MISSING
     out = tmp_path / "book.epub"

@@ -1,5 +1,5 @@
-"""A book on another subject and in German: built whole by the installed engine, of its own parts
-alone; no word of its interface is English, and its figures, questions and search are its own."""
+"""A German book on another subject, built by the installed engine from its own parts only, with a
+German interface and its own figures, questions and search."""
 
 import re
 import zipfile
@@ -30,7 +30,7 @@ def pages(site: Path) -> list[Path]:
     return [file for file in site.rglob("*.html") if "assets" not in file.parts]
 
 
-def test_it_has_its_own_chapters_figures_and_every_kind_of_question(german_book: Any) -> None:
+def test_german_book_has_its_chapters_figures_and_all_question_kinds(german_book: Any) -> None:
     chapters = [(chapter["number"], chapter["id"]) for chapter in german_book["chapters"]]
     assert chapters == [(1, "das-pendel"), (2, "die-saite"), (3, "zahlen")]
     assert sorted(scene["id"] for scene in german_book["simulations"]) == sorted(SCENES)
@@ -40,19 +40,19 @@ def test_it_has_its_own_chapters_figures_and_every_kind_of_question(german_book:
     assert kinds == {"choice", "number", "sketch"}
 
 
-def test_nothing_that_readers_get_is_of_this_book(site: Path) -> None:
+def test_german_book_ships_no_parts_of_this_book(site: Path) -> None:
     ours = [*SCENE_MODULES, *LADDER_MODULES, *ILLUSTRATIONS, *(table.id for table in TABLES)]
     ids = re.compile(rf"""["'#/](?:figure-|ladder-|extremes-)?({"|".join(ours)})["'/]""")
-    told = [
+    leaked = [
         f"{file.relative_to(site)}: {found[1]}"
         for file in site.rglob("*")
         if file.suffix in (".html", ".json") and not {*file.parts} & {"licences", "runtime.json"}
         for found in ids.finditer(STYLES.sub("", file.read_text(encoding="utf-8")))
     ]
-    assert told == []
+    assert leaked == []
 
 
-def test_it_has_pages_of_all_that_it_has_and_licences_of_all_that_it_ships(site: Path) -> None:
+def test_german_book_has_the_pages_and_licences_that_it_needs(site: Path) -> None:
     assert (site / "glossary" / "index.html").is_file()
     assert not (site / "lecture-plan").exists()
     quoted = site / "source" / "simulations" / "scenes" / "fadenpendel" / "scene" / "index.html"
@@ -62,7 +62,7 @@ def test_it_has_pages_of_all_that_it_has_and_licences_of_all_that_it_ships(site:
     assert "The Image Formation authors" in page
 
 
-def test_no_english_word_of_the_interface_or_sentence_of_the_engine_is_left(site: Path) -> None:
+def test_german_book_has_no_english_interface_texts(site: Path) -> None:
     files = [file for file in site.rglob("*") if file.suffix in (".html", ".js", ".css")]
     left = [
         f"{file.relative_to(site)}: {phrase!r} ({key})"
@@ -93,7 +93,7 @@ def test_quotes_numbers_labels_and_licence_are_german(site: Path) -> None:
         assert phrase in text, phrase
 
 
-def test_its_e_book_is_in_german(engine: Engine, tmp_path: Path) -> None:
+def test_e_book_of_the_german_book_is_in_german(engine: Engine, tmp_path: Path) -> None:
     file = tmp_path / "buch.epub"
     made = engine.run(GERMAN_BOOK, "-m", "site_builder", "epub", "--out", str(file))
     assert made.returncode == 0, made.stderr
@@ -108,7 +108,7 @@ def test_its_e_book_is_in_german(engine: Engine, tmp_path: Path) -> None:
         assert WORDS(key) in shown
 
 
-def test_its_own_tests_pass(engine: Engine) -> None:
+def test_german_books_own_tests_pass(engine: Engine) -> None:
     folder = str(GERMAN_BOOK / "tests")
     how = ("-q", "-p", "no:cacheprovider", "-c", "/dev/null", "--rootdir", folder)
     done = engine.run(GERMAN_BOOK, "-m", "pytest", *how, folder)
@@ -126,7 +126,7 @@ def test_its_own_tests_pass(engine: Engine) -> None:
         ("simulations/models/color.py", "hides the engine's part of simulations; legal: "),
     ],
 )
-def test_a_folder_that_is_no_book_or_hides_a_part_of_the_engine_is_refused(
+def test_folder_that_is_no_book_or_hides_the_engine_is_refused(
     path: str, says: str, engine: Engine, tmp_path: Path
 ) -> None:
     (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
@@ -137,7 +137,9 @@ def test_a_folder_that_is_no_book_or_hides_a_part_of_the_engine_is_refused(
 
 
 @pytest.mark.browser
-def test_a_visit_in_german(site: Path, german_book: Any, brisk_chromium: Browser) -> None:
+def test_german_book_works_in_the_browser(
+    site: Path, german_book: Any, brisk_chromium: Browser
+) -> None:
     with (
         serving(site) as server,
         visit(brisk_chromium, server, folded=True, bypass_csp=True) as reader,
@@ -175,7 +177,7 @@ def answer(reader: Reader) -> None:
 
 
 def search(reader: Reader) -> None:
-    """By another form of the word than the page has."""
+    """Search with an inflected form of the word on the page."""
     reader.page.keyboard.press("/")
     dialog = reader.page.locator("dialog.search")
     dialog.locator("input[type=search]").fill("hoher Tönen")
@@ -199,7 +201,7 @@ AudioBufferSourceNode.prototype.start = function (when, offset) {
 
 
 @pytest.mark.browser
-def test_a_press_plays_its_samples_and_a_moved_control_changes_them(
+def test_sound_plays_on_a_press_and_follows_a_moved_control(
     site: Path, german_book: Any, brisk_chromium: Browser
 ) -> None:
     with serving(site) as server, visit(brisk_chromium, server, LISTEN, bypass_csp=True) as reader:

@@ -43,7 +43,7 @@ VALUES = st.lists(st.floats(1e-15, 1e6), min_size=1, max_size=9)
 
 
 def toy_with(changes: Any, *metric: str) -> MeasuredLadder:
-    """The toy_with toy ladder, with some results changed."""
+    """The measured toy ladder, with some results changed."""
     tiers = toy_data()["ladders"]["toy"]["tiers"]
     for tier, parts in changes.items():
         for part, numbers in parts.items():

@@ -13,7 +13,7 @@ from support.static_server import StaticServer, serving
 
 @pytest.fixture(scope="session")
 def uncached(built_site: Path) -> Iterator[StaticServer]:
-    """The book from a host that lets browsers keep nothing; tests set its faults."""
+    """The book from a host that forbids caching; tests set its faults."""
     with serving(built_site) as server:
         server.uncached = True
         yield server
@@ -28,7 +28,7 @@ def telephone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Re
 
 @pytest.fixture
 def quiet_phone(telephone: Reader) -> Iterator[Reader]:
-    """A telephone before Python has answered; each test loads its pages anew."""
+    """A telephone whose Python never answers; each test loads its pages afresh."""
     telephone.begin_anew(PHONE)
     yield telephone
     telephone.assert_no_complaints()
@@ -36,8 +36,8 @@ def quiet_phone(telephone: Reader) -> Iterator[Reader]:
 
 @pytest.fixture
 def figure(guest: Reader, book: Any) -> Iterator[Locator]:
-    """At rest as its page has put it, with all answers shown; glides have frames on their way on
-    a busy machine, too."""
+    """The figure at rest at its page's settings, with all answers shown, and with a clock that lets
+    glides have intermediate frames even on a busy machine."""
     found = guest.stay_at_figure(book, "lens-distortion")
     guest.page.evaluate("document.querySelectorAll('[data-reveal]').forEach((b) => b.click())")
     guest.page.evaluate(STEADY_CLOCK)

@@ -1,5 +1,5 @@
-"""Scripts and fonts against their counterparts: Python's answers, a fresh parse of a drawing, the
-whole font."""
+"""Scripts against Python's answers, updated drawings against freshly parsed ones, and subset fonts
+against whole ones."""
 
 import io
 import json
@@ -50,7 +50,7 @@ CALL = """async ([module, name, calls]) => {
 
 @pytest.fixture(scope="module")
 def page(brisk_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
-    """An empty page beside the scripts."""
+    """An empty page that can import the scripts."""
     folder = tmp_path_factory.mktemp("scripts")
     write_scripts(ROOT, folder, MODULES)
     (folder / "index.html").write_text("<!DOCTYPE html><title>Scripts</title>", encoding="utf-8")
@@ -60,7 +60,7 @@ def page(brisk_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> I
 
 
 type Pairs = Iterator[tuple[list[Any], object]]
-"""Arguments, and Python's answers."""
+"""Arguments of a function, and Python's results."""
 
 
 def sent(*stages: StageReport) -> list[Any]:
@@ -135,7 +135,7 @@ def places_on_axes() -> Pairs:
         ("ladder/chart", "position", places_on_axes),
     ],
 )
-def test_a_script_answers_as_python_does(
+def test_script_function_agrees_with_python(
     page: Page, module: str, function: str, pairs: Callable[[], Pairs]
 ) -> None:
     calls, expected = zip(*pairs(), strict=True)
@@ -170,7 +170,7 @@ def drawings(scene: Scene[Any]) -> list[list[str]]:
     return [[panel.overlay for panel in panels] for panels in zip(*shown, strict=True)]
 
 
-def test_a_drawing_is_what_a_fresh_one_would_be_after_any_change(visitor: Reader) -> None:
+def test_updated_drawing_equals_a_freshly_parsed_one(visitor: Reader) -> None:
     sequences = [each for name in SCENE_MODULES for each in drawings(load_scene(name))]
     mixed = [markup for markups in sequences for markup in markups]
     assert len(set(mixed)) > 100
@@ -215,14 +215,14 @@ WIDTHS = """() => [...document.querySelectorAll('#kinds math')]
 
 
 def whole_font() -> str:
-    """With every character of its source, made by the same recipe."""
+    """The maths face with every character of its source, in Base64."""
     source = source_file(MATHS_FACES[0]).read_bytes()
     every = frozenset(TTFont(io.BytesIO(source)).getBestCmap())
     return b64encode(cut(replace(MATHS_FACES[0], characters=every), source)).decode()
 
 
-def seen(reader: Reader) -> tuple[list[float], list[float]]:
-    """Widths of the formulae, and how many pixels' worth of black each holds."""
+def widths_and_ink(reader: Reader) -> tuple[list[float], list[float]]:
+    """Widths of the formulae in pixels, and the ink of each in black pixels."""
     data = np.frombuffer(reader.page.locator("#kinds").screenshot(), np.uint8)
     picture: Any = cv2.imdecode(data, cv2.IMREAD_GRAYSCALE)
     rows = np.split(picture, len(KINDS))
@@ -230,12 +230,12 @@ def seen(reader: Reader) -> tuple[list[float], list[float]]:
 
 
 @pytest.mark.deep
-def test_the_cut_faces_draw_formulae_as_the_whole_font_does(plain_reader: Reader) -> None:
+def test_subset_faces_draw_formulae_like_the_whole_font(plain_reader: Reader) -> None:
     plain_reader.open("lecture-plan/", live=False)
     formulae = [to_mathml(formula, display=True) for formula in KINDS.values()]
     plain_reader.page.evaluate(SHOW, [formulae, ROW_PX])
-    widths, ink = seen(plain_reader)
+    widths, ink = widths_and_ink(plain_reader)
     plain_reader.page.evaluate(LOAD, whole_font())
-    whole_widths, whole_ink = seen(plain_reader)
+    whole_widths, whole_ink = widths_and_ink(plain_reader)
     assert widths == pytest.approx(whole_widths, abs=2), [*KINDS]
     assert ink == pytest.approx(whole_ink, rel=0.02), [*KINDS]

@@ -1,4 +1,4 @@
-"""A drawing in steps: it grows as its reader asks, in one place, and is whole on paper."""
+"""A drawing in steps: it grows in place with each step, and is complete on paper."""
 
 import re
 
@@ -10,7 +10,7 @@ pytestmark = pytest.mark.browser
 
 
 def state(drawing: Locator) -> tuple[int, int]:
-    """The step whose sentence is read, and the last whose marks are seen."""
+    """The step whose sentence is visible, and the last step whose marks are visible."""
     sentences, marks = drawing.locator(".step-words"), drawing.locator("svg > [class^=step-]")
     read = [at for at, each in enumerate(sentences.all(), start=1) if each.is_visible()]
     seen = [at for at, each in enumerate(marks.all(), start=2) if each.is_visible()]
@@ -19,7 +19,7 @@ def state(drawing: Locator) -> tuple[int, int]:
     return read[0], len(seen) + 1
 
 
-def test_a_drawing_grows_step_by_step_and_is_whole_on_paper(plain_reader: Reader) -> None:
+def test_drawing_grows_step_by_step_and_is_complete_on_paper(plain_reader: Reader) -> None:
     plain_reader.open("lens-distortion/", live=False)
     page, drawing = plain_reader.page, plain_reader.page.locator("#figure-lensmaker")
     radio = drawing.get_by_role("radio")

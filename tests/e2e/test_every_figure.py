@@ -1,4 +1,4 @@
-"""Controls and handles of every figure answer hands and keys."""
+"""Controls and handles of every figure respond to mouse and keyboard."""
 
 import re
 from collections.abc import Callable
@@ -21,24 +21,26 @@ SHOWS = re.compile(r"^:+\{simulation\} *([\w-]+)", re.MULTILINE)
 SHOWN = dict.fromkeys(
     name for file in CHAPTERS for name in SHOWS.findall(file.read_text(encoding="utf-8"))
 )
-"""Scenes in the order in which the book shows them: a visit to all turns few pages."""
+"""Scenes in the order of the book, so that a visit to all of them turns few pages."""
 SAMPLE = ("formation-pipeline", "lens-distortion", "wagon-wheel")
-"""Scenes that `make test` tries: every kind of control, pixels in tiers, drawings, a film. Python's
-own answers are tried for all scenes, in `tests/scenes`."""
+"""Scenes in `make test`: every kind of control, pixels in tiers, drawings, a film. Python's own
+results are tested for all scenes, in `tests/scenes`."""
 
 
 @pytest.mark.parametrize(
     "scene",
     [pytest.param(name, marks=[] if name in SAMPLE else pytest.mark.deep) for name in SHOWN],
 )
-def test_every_control_and_every_handle_of_a_figure_answers(
+def test_every_control_and_handle_of_a_figure_responds(
     guest: Reader, book: Any, scene: str
 ) -> None:
-    """Every control can be met and makes a frame; the first of each kind changes the picture by
-    keys and by mouse. (All controls change their frames in `tests/scenes`.)"""
+    """Every control can be reached and makes a frame; the first of each kind changes the picture by
+    keyboard and by mouse. (`tests/scenes` tests that all controls change their frames.)"""
     controls = scene_of(book, scene)["controls"]
     figure = guest.stay_at_figure(book, scene)
-    assert [answer for answer in figure.evaluate(TRY_CONTROLS, controls) if is_dead(answer)] == []
+    assert [
+        answer for answer in figure.evaluate(TRY_CONTROLS, controls) if is_unresponsive(answer)
+    ] == []
     for control in {kind_of(control): control for control in reversed(controls)}.values():
         for gesture in (press, click):
             guest.put_back(figure)
@@ -48,7 +50,7 @@ def test_every_control_and_every_handle_of_a_figure_answers(
         assert_follows(guest, figure.locator(f'[data-handle="{handle.name}"]'), handle.name)
 
 
-def is_dead(answer: Any) -> bool:
+def is_unresponsive(answer: Any) -> bool:
     return not (answer["hit"] and answer["focused"] and answer["frames"] > 0)
 
 
@@ -134,9 +136,7 @@ def click(reader: Reader, element: Locator, control: Any, attempt: int) -> None:
             element.click()
 
 
-def test_many_moves_end_at_the_last_one_under_the_pointer_and_leave_nothing_behind(
-    visitor: Reader, book: Any
-) -> None:
+def test_many_moves_end_at_the_pointer_without_a_leak(visitor: Reader, book: Any) -> None:
     """Drag a handle, then a slider."""
     figure = visitor.turn_to_figure(book, "lambertian-shading")
     grip = figure.locator('[data-handle="probe"]')
@@ -154,26 +154,26 @@ def test_many_moves_end_at_the_last_one_under_the_pointer_and_leave_nothing_behi
     figure = visitor.turn_to_figure(book, "perspective-projection")
     slider = figure.locator("[name=depth]")
     box = visitor.bring(slider)
-    kept: list[dict[str, float]] = []
-    while len(kept) < 2 or leaks(*kept[-2:]):  # what leaks does so in every round
-        assert len(kept) < 6, kept
+    counts: list[dict[str, float]] = []
+    while len(counts) < 2 or leaks(*counts[-2:]):  # a leak grows in every round
+        assert len(counts) < 6, counts
         x, y = box["x"] + 0.3 * box["width"], box["y"] + box["height"] / 2
         visitor.drag((x, y), (x + 60, y), steps=40)
         visitor.settle(figure)
         depth = float(slider.input_value())
         expected = texts_of(frame_of(load_scene("perspective-projection"), depth=depth))["x"]
         assert figure.locator("output[name=x]").inner_text() == expected
-        kept.append(held(visitor))
+        counts.append(page_counts(visitor))
 
 
 def leaks(before: dict[str, float], after: dict[str, float]) -> bool:
-    """Some thirty frames were painted between."""
+    """Whether nodes or listeners grew over some thirty frames."""
     more = {name: after[name] - before[name] for name in ("Nodes", "JSEventListeners")}
     return more["Nodes"] >= 15 or more["JSEventListeners"] > 0
 
 
-def held(reader: Reader) -> dict[str, float]:
-    """Nodes and listeners of the page once the garbage is collected."""
+def page_counts(reader: Reader) -> dict[str, float]:
+    """Numbers of nodes and listeners of the page after garbage collection."""
     session = reader.page.context.new_cdp_session(reader.page)
     session.send("HeapProfiler.collectGarbage")
     session.send("Performance.enable")
@@ -182,7 +182,7 @@ def held(reader: Reader) -> dict[str, float]:
     return {each["name"]: each["value"] for each in metrics}
 
 
-def test_figures_play_in_view_until_a_hand_is_on_them_and_step_by_step_for_less_motion(
+def test_figures_play_in_view_until_touched_and_in_steps_for_less_motion(
     visitor: Reader, book: Any
 ) -> None:
     """With less motion each picture stands for a second or more, by a clock five times as fast."""

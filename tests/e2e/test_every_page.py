@@ -1,4 +1,4 @@
-"""Rules for every page, checked in one walk through the book at a desk, on a phone and on paper."""
+"""Rules for every page, checked in one walk through the book on desktop, phone and paper."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -17,12 +17,12 @@ pytestmark = pytest.mark.browser
 LISTS = ("references/", "lecture-plan/", "glossary/", "symbols/", "index-of-terms/")
 TRANSLATED = ("de/", "de/why-image-formation/")
 LARGER_LETTERS = """html { font-size: 34px !important; }"""
-"""Twice those of a phone, as a reader may set them without enlarging the rest."""
+"""Text twice as large as a phone's default, as readers may set it without zooming."""
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
-    """A fault that no page may have: a script that lists its places, and the script's argument."""
+class Rule:
+    """A fault that no page may have: its name, a script that lists its places, its argument."""
 
     wrong: str
     script: str
@@ -49,7 +49,7 @@ OUT_OF_REACH = """async () => {
   for (let left = 300; left && found().length; left -= 1) await new Promise(requestAnimationFrame);
   return found();
 }"""
-"""Scripts make it reachable once the window has its size."""
+"""Scripts make scrollable parts focusable once the window has its size."""
 COVERED = """() => {
   const side = document.querySelector('#contents').getBoundingClientRect();
   const shown = [...document.querySelectorAll('main figure, main .equation, main .table-wrapper')];
@@ -78,7 +78,7 @@ UNSAID = """() => [...document.querySelectorAll(
     "canvas.live, :is(a, label, .asked, button, h1, h2, h3, figcaption, [id$=-caption]) math")]
   .filter((thing) => !(thing.ariaLabel ?? thing.getAttribute("aria-labelledby")))
   .map((thing) => thing.parentElement.textContent.slice(0, 60))"""
-"""Pictures, and formulae within names; axe checks the other names."""
+"""Pictures, and formulae in accessible names; axe checks the other names."""
 OUTSIDE = """() => {
   const outside = [];
   for (const figure of document.querySelectorAll("simulation-figure")) {
@@ -127,7 +127,7 @@ MOVED = """() => {
 
 
 TOUCH_ON_PURPOSE = ["figure-perspective-projection top: x × (point)"]
-"""There the point is about to cross the plane."""
+"""In this figure the point is about to cross the plane."""
 TOUCHING = """(known) => {
   const found = new Set();
   const box = (text) => {
@@ -164,7 +164,7 @@ TOUCHING = """(known) => {
   }
   return [...found].filter((one) => !known.includes(one));
 }"""
-"""Letters need a fifth of their line above and below them less than it has."""
+"""A fifth of the line height above and below the letters is empty."""
 
 
 OFF_HEADER = """() => [...document.querySelectorAll(".site-header *")]
@@ -185,81 +185,81 @@ UNORDERED = """() => [...document.querySelectorAll('.figure-caption')].filter((c
   const above = caption.getBoundingClientRect().top < panels.getBoundingClientRect().top;
   return above !== Boolean(caption.compareDocumentPosition(panels) & 4);
 }).map((caption) => caption.id)"""
-"""A page that is still arriving would push its figures down."""
+"""Captions whose order on the screen differs from the source, which screen readers follow."""
 
 
-def fits(width: int) -> list[Look]:
+def fits(width: int) -> list[Rule]:
     return [
-        Look("the page is wider", WIDER, width),
-        *([Look("has to be pushed sideways", SCROLLED)] if width >= 360 else []),
+        Rule("the page is wider", WIDER, width),
+        *([Rule("has to be pushed sideways", SCROLLED)] if width >= 360 else []),
     ]
 
 
-REACH = Look("scrolls, but not by keyboard", OUT_OF_REACH)
-LABELS = Look("a label is too small", SMALL_LABELS, 12.5)
-LONGEST = Look("a value at its longest is cut, or moves what is around it", MOVED)
-TOUCHING_LABELS = Look("a label touches another, a handle or an edge", TOUCHING, TOUCH_ON_PURPOSE)
+REACH = Rule("scrolls, but not by keyboard", OUT_OF_REACH)
+LABELS = Rule("a label is too small", SMALL_LABELS, 12.5)
+LONGEST = Rule("a value at its longest is cut, or moves what is around it", MOVED)
+TOUCHING_LABELS = Rule("a label touches another, a handle or an edge", TOUCHING, TOUCH_ON_PURPOSE)
 TOO_FAR = "the first figure is more than two screens away"
 AT_A_DESK = {
     1440: [
         *(*fits(1440), REACH, LABELS, TOUCHING_LABELS),
-        Look(TOO_FAR, FAR, 2 * 900),
-        Look("a caption stands elsewhere than in the source", UNORDERED),
-        Look("a leading picture is small", SMALL_LEADS),
-        Look("has no name for a screen reader", UNSAID),
+        Rule(TOO_FAR, FAR, 2 * 900),
+        Rule("a caption stands elsewhere than in the source", UNORDERED),
+        Rule("a leading picture is small", SMALL_LEADS),
+        Rule("has no name for a screen reader", UNSAID),
     ],
     1280: [
-        Look("lies under the contents", COVERED),
-        Look("shows more than three controls or readouts at first", CROWDED),
+        Rule("lies under the contents", COVERED),
+        Rule("shows more than three controls or readouts at first", CROWDED),
     ],
 }
 BY_PHONE = {
     390: [
-        *(TOUCHING_LABELS, Look(TOO_FAR, FAR, 2 * 844)),
-        Look("a label is too small", SMALL_LABELS, 10.5),
-        Look("not on one screen: two panels, or one and the controls", OUTSIDE),
-        Look("too small for a finger", TOO_SMALL),
+        *(TOUCHING_LABELS, Rule(TOO_FAR, FAR, 2 * 844)),
+        Rule("a label is too small", SMALL_LABELS, 10.5),
+        Rule("not on one screen: two panels, or one and the controls", OUTSIDE),
+        Rule("too small for a finger", TOO_SMALL),
     ],
     320: [*fits(320), REACH, LONGEST],
 }
 PRINTED = ("", "lens-distortion/", "speed-and-accuracy/", "hard-cases/")
 """With figures, questions, tables of ladders, and hard cases."""
-ON_PAPER = [Look("can be pressed", PRESSED_ON_PAPER), Look("is shut", SHUT_ON_PAPER)]
+ON_PAPER = [Rule("can be pressed", PRESSED_ON_PAPER), Rule("is shut", SHUT_ON_PAPER)]
 
 
 def pages(book: Any) -> list[str]:
     return ["", *TRANSLATED, *LISTS, *(chapter["url"] for chapter in book["chapters"])]
 
 
-def found(reader: Reader, looks: Iterable[Look], where: str) -> Iterator[str]:
-    for look in looks:
-        for what in reader.page.evaluate(look.script, look.given):
-            yield f"{where}: {look.wrong}: {what}"
+def found(reader: Reader, rules: Iterable[Rule], where: str) -> Iterator[str]:
+    for rule in rules:
+        for what in reader.page.evaluate(rule.script, rule.given):
+            yield f"{where}: {rule.wrong}: {what}"
 
 
 @pytest.fixture
 def desk(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    """A reader whose Python never answers: controls are there, and move nothing."""
+    """A reader whose Python never answers: controls are shown, but change nothing."""
     with visit(brisk_chromium, site_server, SILENT_WORKER) as someone:
         yield someone
     someone.assert_no_complaints()
 
 
-def walk(reader: Reader, book: Any, asked: Mapping[int, Iterable[Look]]) -> list[str]:
+def walk(reader: Reader, book: Any, asked: Mapping[int, Iterable[Rule]]) -> list[str]:
     """Faults of all pages at these widths."""
     wrong: list[str] = []
     for address in reader.leaf_through(pages(book)):
-        for width, looks in asked.items():
+        for width, rules in asked.items():
             reader.page.set_viewport_size({"width": width, "height": 900 if width > 600 else 800})
-            wrong += found(reader, looks, f"{address or 'landing page'} at {width}")
+            wrong += found(reader, rules, f"{address or 'landing page'} at {width}")
     return wrong
 
 
-def test_every_page_is_in_order_at_a_desk(desk: Reader, book: Any) -> None:
+def test_every_page_follows_the_rules_on_a_desktop(desk: Reader, book: Any) -> None:
     assert walk(desk, book, AT_A_DESK) == []
 
 
-def test_every_page_is_in_order_on_a_phone(quiet_phone: Reader, book: Any) -> None:
+def test_every_page_follows_the_rules_on_a_phone(quiet_phone: Reader, book: Any) -> None:
     assert walk(quiet_phone, book, BY_PHONE) == []
 
 
@@ -276,7 +276,7 @@ RIGHT_EDGES = """table => [...table.querySelectorAll("tr")]
   .filter(row => row.length)"""
 
 
-def test_paper_shows_everything_and_no_controls_and_asks_what_was_answered(desk: Reader) -> None:
+def test_paper_shows_everything_without_controls_or_given_answers(desk: Reader) -> None:
     page = desk.page
     wrong: list[str] = []
     page.emulate_media(media="print")
@@ -303,7 +303,7 @@ def test_paper_shows_everything_and_no_controls_and_asks_what_was_answered(desk:
 
 
 @pytest.mark.deep
-def test_pages_of_source_fit_a_narrow_screen(plain_reader: Reader, built_site: Path) -> None:
+def test_pages_of_source_code_fit_a_narrow_screen(plain_reader: Reader, built_site: Path) -> None:
     plain_reader.page.set_viewport_size({"width": 320, "height": 740})
     wrong: list[str] = []
     for page in sorted((built_site / "source").rglob("index.html")):
@@ -314,22 +314,22 @@ def test_pages_of_source_fit_a_narrow_screen(plain_reader: Reader, built_site: P
 
 
 @pytest.mark.deep
-def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
+def test_no_chapter_scrolls_sideways_with_text_twice_as_large(
     plain_reader: Reader, book: Any
 ) -> None:
     plain_reader.page.set_viewport_size({"width": 390, "height": 800})
     wrong: list[str] = []
     for address in plain_reader.leaf_through(pages(book)):
         plain_reader.page.add_style_tag(content=LARGER_LETTERS)
-        wrong += found(plain_reader, [Look("the page is wider", WIDER, 390)], address)
+        wrong += found(plain_reader, [Rule("the page is wider", WIDER, 390)], address)
         plain_reader.page.set_viewport_size({"width": 320, "height": 800})
-        wrong += found(plain_reader, [Look("lies beside the header", OFF_HEADER)], address)
+        wrong += found(plain_reader, [Rule("lies beside the header", OFF_HEADER)], address)
         plain_reader.page.set_viewport_size({"width": 390, "height": 800})
     assert wrong == []
 
 
 @pytest.mark.deep
-def test_a_copied_frame_shows_the_whole_figure(plain_reader: Reader, book: Any) -> None:
+def test_copied_iframe_shows_the_whole_figure(plain_reader: Reader, book: Any) -> None:
     page, frames = plain_reader.page, []
     for _ in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
         frames += page.evaluate(COPIED)
@@ -353,14 +353,14 @@ VIOLATIONS = """async ({only, but, within}) => {
     `${id}: ${nodes.map(({html}) => html.slice(0, 160)).join(' ')}`);
 }"""
 ALL = {"but": ["scrollable-region-focusable"]}
-"""`OUT_OF_REACH` finds what scrolls and is not reached by keyboard."""
+"""`OUT_OF_REACH` finds scrollable parts that the keyboard cannot reach."""
 NARROW = {
     "only": [
         *("aria-hidden-focus", "button-name", "color-contrast", "label"),
         *("nested-interactive", "select-name", "summary-name", "target-size"),
     ]
 }
-"""What may differ where other things are shown."""
+"""Rules whose result may differ on a narrow screen."""
 CONTRAST = {"only": ["color-contrast"]}
 OTHERS = (
     "class/",  # which the title page alone links to
@@ -371,11 +371,11 @@ OTHERS = (
     "lecture-plan/",
     "licences/",
 )
-"""Lists of text, the same on a phone."""
+"""Pages of plain lists, which are the same on a phone."""
 
 
 def violations(reader: Reader, scheme: Any, screen: ViewportSize, asked: Any) -> list[str]:
-    """Violations on the page that is shown, in a light or dark theme."""
+    """Violations of axe's rules on the current page, in a light or dark theme."""
     page = reader.page
     page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # nothing half faded
     page.set_viewport_size(screen)
@@ -385,14 +385,14 @@ def violations(reader: Reader, scheme: Any, screen: ViewportSize, asked: Any) ->
 
 
 @pytest.mark.deep
-def test_no_page_shuts_readers_out(plain_reader: Reader, book: Any) -> None:
+def test_every_page_passes_axe(plain_reader: Reader, book: Any) -> None:
     urls = [chapter["url"] for chapter in book["chapters"]]
     assert_accessible(plain_reader, ["", *OTHERS, *urls])
     plain_reader.turn_to(urls[-1], live=False)
-    assert violations(plain_reader, "dark", DESK, CONTRAST) == [], "which no phone shows"
+    assert violations(plain_reader, "dark", DESK, CONTRAST) == [], "the desktop layout"
 
 
-def test_a_chapter_shuts_no_reader_out(plain_reader: Reader) -> None:
+def test_chapter_passes_axe(plain_reader: Reader) -> None:
     assert_accessible(plain_reader, ["why-image-formation/"])
 
 
@@ -403,7 +403,7 @@ def assert_accessible(plain_reader: Reader, addresses: Iterable[str]) -> None:
         assert violations(plain_reader, "dark", screen, rules) == [], f"{address}, dark"
 
 
-def test_a_live_figure_shuts_no_reader_out(visitor: Reader) -> None:
+def test_live_figure_passes_axe(visitor: Reader) -> None:
     visitor.turn_to("lens-distortion/")
     visitor.unfold(visitor.figure("lens-distortion"))
     assert violations(visitor, "light", DESK, {**ALL, "within": "simulation-figure"}) == []

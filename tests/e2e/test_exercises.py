@@ -1,5 +1,5 @@
-"""Functions that readers write: judged, recognised, measured, used in a figure, kept; and whatever
-is written, the reader is told something and the page goes on."""
+"""Functions that readers write: judged, recognised, measured, used in a figure, and stored; any
+text gets a reply and leaves the page working."""
 
 import json
 import re
@@ -31,14 +31,14 @@ def form_of(reader: Reader) -> Locator:
 
 
 def check(form: Locator, text: str) -> str:
-    """Write and check a text; what is said of it."""
+    """Write and check a text; return the results and the feedback."""
     form.locator("textarea").evaluate(WRITE, text)
     form.locator("button[type=submit]").click()
     form.page.wait_for_function(ENDED, arg=form.element_handle(), timeout=limit_ms())
     return form.locator("[data-results]").inner_text() + form.locator(".feedback").inner_text()
 
 
-def test_a_function_is_written_judged_used_in_a_figure_and_kept(
+def test_written_function_is_judged_used_in_a_figure_and_stored(
     reader: Reader, form: Locator
 ) -> None:
     data = json.loads(form.locator(".quiz-data").text_content() or "")
@@ -68,7 +68,7 @@ def test_a_function_is_written_judged_used_in_a_figure_and_kept(
     expect(form.locator("[data-use]")).to_be_disabled()
 
 
-def test_forgetting_all_answers_forgets_what_was_written(reader: Reader, form: Locator) -> None:
+def test_resetting_answers_deletes_written_functions(reader: Reader, form: Locator) -> None:
     starter = form.locator("textarea").input_value()
     check(form, "def image_of(H, points):\n    return H")
     reader.open("", live=False)
@@ -103,8 +103,8 @@ TEXTS = (
 )
 
 
-def names_are_offered(form: Locator) -> None:
-    """And the editor can still be left by Escape and Tab."""
+def assert_names_are_completed(form: Locator) -> None:
+    """Assert that the editor completes names and can be left by Escape and Tab."""
     keyboard, offered = form.page.keyboard, form.locator(".cm-tooltip-autocomplete li")
     form.locator("textarea").focus()
     expect(form.locator(".cm-content")).to_be_focused(timeout=limit_ms())
@@ -126,11 +126,11 @@ def names_are_offered(form: Locator) -> None:
     expect(form.locator("[type=submit]")).to_be_focused()
 
 
-def test_names_are_offered_and_whatever_is_written_is_stopped_or_answered(
+def test_names_are_completed_and_any_text_gets_a_reply_or_is_stopped(
     reader: Reader, form: Locator
 ) -> None:
-    """The page is whole after it."""
-    names_are_offered(form)
+    """The page's figures still work afterwards."""
+    assert_names_are_completed(form)
     form.locator("textarea").evaluate(WRITE, "def image_of(H, points):\n    while True: pass")
     form.locator("button[type=submit]").click()
     form.locator("[data-stop]").click()

@@ -1,4 +1,4 @@
-"""Faults of files: readers get a message and a way on, in every engine, and lose nothing."""
+"""Faulty files: in every engine readers get a message and a way to continue, and lose nothing."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -21,12 +21,12 @@ pytestmark = pytest.mark.browser
 
 CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
 NOT_STORED = {"/sw.js": Fault(status=404)}
-"""Without it every file is fetched from the host."""
+"""Without the service worker every file is fetched from the host."""
 WITHOUT_SNAPSHOT = {"/snapshot.wasm": Fault(status=404)}
-"""Python starts plainly, and needs all else."""
+"""Python starts without a snapshot, and needs all other files."""
 OTHER_RELEASE = Fault(lambda table: table.replace(b'"sha256-', b'"sha256-A'))
 KINDS = {**FAULTS, "type": Fault(media_type="text/plain"), "other release": OTHER_RELEASE}
-SAID = {
+MESSAGES = {
     "missing": "could not be loaded: the server answered 404",
     "cut": "did not load",
     "login": "a web page came",
@@ -34,21 +34,20 @@ SAID = {
     "type": "the server sends",
     "other release": "damaged or does not belong",
 }
-"""What a figure says by fault; other faults are `DAMAGED`."""
+"""Messages of a figure by kind of fault; other faults are `DAMAGED`."""
 DAMAGED = "arrived damaged"
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What a page shows of a fault, and what it does once its host is whole again: functions in
-    the page."""
+    """Functions in the page: the message of a fault, and recovery once the host works again."""
 
     shown: str
-    """The words that tell of the fault, as soon as they are there."""
+    """Returns the message about the fault, once it is shown."""
     way_on: str
-    """Takes the offer that stands beside them."""
+    """Presses the button or link beside the message."""
     whole: str
-    """Whether the page is as without the fault."""
+    """Whether the page works as without the fault."""
 
 
 LIVES = f"""document.querySelector('#figure-{SCENE} simulation-figure')?.dataset.state === 'live'
@@ -92,13 +91,13 @@ WHEN_MOVED = Outcome(
     IN_FIGURE.way_on,
     IN_FIGURE.whole,
 )
-"""The snapshot has what is in the file, until a frame is computed."""
+"""The snapshot contains the file's modules, until a frame is computed."""
 NOWHERE = Outcome(
     f"() => {LIVES}", "() => { sessionStorage.clear(); location.reload(); }", f"() => {LIVES}"
 )
-"""Python starts plainly."""
-NOT_STORED_SAID = "() => document.querySelector('.notice')?.textContent.includes('sw.js')"
-"""Said once in a visit; Chromium is not let try."""
+"""Python starts without the snapshot."""
+NOT_STORED_NOTICE = "() => document.querySelector('.notice')?.textContent.includes('sw.js')"
+"""Shown once in a visit; Chromium's contexts block service workers."""
 TRIED: Mapping[str, tuple[Outcome, tuple[str, ...]]] = {
     "numpy.zip": (IN_FIGURE, ("missing", "cut", "half", "changed", "login", "login as file")),
     "pyodide.mjs": (IN_FIGURE, ("missing", "cut", "half", "changed", "login", "type")),
@@ -117,7 +116,7 @@ TRIED: Mapping[str, tuple[Outcome, tuple[str, ...]]] = {
     "chunk": (ON_PAGE, ("missing", "half")),
     "progress_file": (AT_FOOT, ("missing", "cut", "half", "login")),
 }
-"""What a page shows of the faults of a file; the last two have hashes in their names."""
+"""The outcome of each fault of each file; the last two files have hashes in their names."""
 SAMPLE = {
     "Chromium": (
         ("pyodide.asm.wasm", "half"),
@@ -133,10 +132,10 @@ SAMPLE = {
     ),
     "WebKitGTK": (),
 }
-"""What `make test` tries."""
+"""The faults that `make test` tries."""
 
 
-def tried() -> list[Any]:
+def cases() -> list[Any]:
     return [
         pytest.param(browser, name, kind, marks=[] if (name, kind) in sample else pytest.mark.deep)
         for browser, sample in SAMPLE.items()
@@ -156,7 +155,7 @@ def tab(
 
 
 def until(tab: Window, expression: str) -> Any:
-    """What a function of the page answers once that is true, over any change of the page."""
+    """The first true result of a function in the page, across reloads."""
     end = monotonic() + 2 * limit_s()
     while monotonic() < end:
         with suppress(RuntimeError, PlaywrightError):  # the page is just left
@@ -166,8 +165,8 @@ def until(tab: Window, expression: str) -> Any:
     raise TimeoutError(expression)
 
 
-@pytest.mark.parametrize(("tab", "name", "kind"), tried(), indirect=["tab"])
-def test_a_fault_of_a_file_is_shown_and_over_after_the_next_try(
+@pytest.mark.parametrize(("tab", "name", "kind"), cases(), indirect=["tab"])
+def test_fault_of_a_file_is_reported_and_overcome_by_the_next_try(
     tab: Window,
     uncached: StaticServer,
     built_site: Path,
@@ -196,17 +195,17 @@ def test_a_fault_of_a_file_is_shown_and_over_after_the_next_try(
         assert file in shown
         # Where the connection breaks off, Firefox takes what came for the whole.
         is_cut = (browser, kind) == ("Firefox", "cut")
-        assert SAID.get(kind, DAMAGED) in shown or (is_cut and DAMAGED in shown), shown
+        assert MESSAGES.get(kind, DAMAGED) in shown or (is_cut and DAMAGED in shown), shown
     uncached.faults = {**NOT_STORED}
     until(tab, f"() => {{ ({outcome.way_on})(); return true; }}")
     until(tab, outcome.whole)
     if outcome is NOWHERE and browser != "Chromium":
-        until(tab, NOT_STORED_SAID)
+        until(tab, NOT_STORED_NOTICE)
 
 
 @pytest.fixture(scope="module")
 def patient(brisk_chromium: Browser, uncached: StaticServer) -> Iterator[Reader]:
-    """A reader who stays on one page and tries again; the browser complains of each file."""
+    """A reader who stays on one page and retries; the browser logs an error for each file."""
     with visit(brisk_chromium, uncached) as someone:
         yield someone
 
@@ -223,10 +222,10 @@ def next_try(reader: Reader) -> str:
     return figure.locator(".figure-message").inner_text()
 
 
-def test_a_page_older_than_its_host_offers_a_reload_and_python_starts_once_the_host_is_back(
+def test_outdated_page_offers_a_reload_and_python_starts_after_an_outage(
     patient: Reader, uncached: StaticServer
 ) -> None:
-    """Settings are kept; files come late, by other types."""
+    """Settings are kept, even where files arrive late and with wrong media types."""
     page, figure = patient.page, patient.figure(SCENE)
     slider = figure.locator("input[type=range]").first
     uncached.faults = {**WITHOUT_SNAPSHOT, "/numpy.zip": Fault(status=404)}
@@ -265,7 +264,7 @@ def test_a_page_older_than_its_host_offers_a_reload_and_python_starts_once_the_h
     assert not page.locator(".figure-status:visible").count()
 
 
-def test_without_webassembly_or_scripts_pages_are_whole_and_offer_nothing_that_does_nothing(
+def test_pages_without_webassembly_or_scripts_have_no_dead_controls(
     plain_reader: Reader, chromium: Browser, server: StaticServer, built_site: Path, book: Any
 ) -> None:
     plain_reader.open(CHAPTER, live=False)

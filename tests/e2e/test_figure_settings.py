@@ -1,5 +1,5 @@
-"""A reader at one figure: accuracy, links that set it, its address, and what lights up or is read
-out."""
+"""Settings of one figure: drafts, stated accuracy, links and addresses that set it, highlights, and
+screen readers."""
 
 import json
 from typing import Any
@@ -19,7 +19,7 @@ CORRECTED = "a.set[data-values*='\"correct\": true']"
 
 DRAGS = (
     ("camera", "layers", "focal_length", "draft"),
-    ("camera", "layers", "noise_sigma", "layers"),  # leaves the geometry alone
+    ("camera", "layers", "noise_sigma", "layers"),  # does not change the geometry
     ("camera", "layers", "k1", "bowed"),  # has a draft of its own
     ("lens-distortion", "first-order", "k1", "first-order"),  # cheaper than the draft
 )
@@ -27,7 +27,7 @@ DRAGS = (
 
 
 @pytest.mark.parametrize(("scene", "chosen", "control", "drafted"), DRAGS)
-def test_a_drag_is_drafted_and_settles_in_the_chosen_tier(
+def test_drag_shows_drafts_and_settles_in_the_chosen_tier(
     guest: Reader, book: Any, scene: str, chosen: str, control: str, drafted: str
 ) -> None:
     figure = guest.stay_at_figure(book, scene)
@@ -48,10 +48,10 @@ def test_a_drag_is_drafted_and_settles_in_the_chosen_tier(
     assert drafted != "draft" or guest.shown(figure)["pixels"] != draft["pixels"]
 
 
-def test_the_error_is_told_at_rest_by_tier_and_never_beside_another_frame(
+def test_error_is_stated_at_rest_by_tier_and_never_for_another_frame(
     visitor: Reader, book: Any
 ) -> None:
-    """It is measured only where it is shown."""
+    """The error is measured only where it is visible."""
     figure = visitor.turn_to_figure(book, "lens-distortion")
     assert figure.locator(".accuracy-value").text_content() == "…"
     with visitor.next_frame(figure):
@@ -67,7 +67,7 @@ def test_the_error_is_told_at_rest_by_tier_and_never_beside_another_frame(
     with visitor.next_frame(figure):
         figure.locator("[name=k1]").fill("0.2")
     assert visitor.page.evaluate("window.beside")[0] == "…"
-    # Focused nearer than its focal length a lens makes no picture, and no stage is run.
+    # Focused nearer than its focal length, a lens forms no image, and no stage is run.
     figure = visitor.turn_to_figure(book, "depth-of-field")
     for focus in ("0.05", "3"):
         with visitor.next_frame(figure):
@@ -83,10 +83,12 @@ NOTE_ERROR = """(figure) => {
     window.beside.push(figure.querySelector('.accuracy-value').textContent);
   });
 }"""
-"""The error beside each frame when it is painted; soon after, its own may stand there."""
+"""Record the stated error when each frame is painted, before its own error arrives."""
 
 
-def test_words_set_a_figure_by_a_glide_and_back_undoes_it(guest: Reader, figure: Locator) -> None:
+def test_link_sets_a_figure_by_a_glide_and_going_back_undoes_it(
+    guest: Reader, figure: Locator
+) -> None:
     page = guest.page
     figure.evaluate(NOTE_VALUES)
     start = float(figure.locator("[name=k1]").input_value())
@@ -108,7 +110,7 @@ def test_words_set_a_figure_by_a_glide_and_back_undoes_it(guest: Reader, figure:
     guest.settle(figure)
     page.go_forward()
     expect(figure.locator("[name=k1]")).to_have_value("-0.2")
-    # A hand on the figure stops the glide.
+    # Touching the figure stops the glide.
     guest.put_back(figure)
     figure.evaluate(TOUCH_ON_THE_WAY)
     page.locator(BARREL).first.click()
@@ -140,10 +142,10 @@ TOUCH_ON_THE_WAY = """(figure) => {
 }"""
 
 
-def test_words_bring_their_figure_into_view_and_a_press_leads_back(
+def test_link_brings_its_figure_into_view_and_a_button_leads_back(
     guest: Reader, figure: Locator
 ) -> None:
-    """Words of a prediction set all that their claim depends on."""
+    """A link in a prediction sets every control that its claim depends on."""
     page = guest.page
     link, back = page.locator(CORRECTED), page.locator(".way-back")
     guest.bring(link)
@@ -184,14 +186,14 @@ def values(figure: Locator, *names: str) -> list[str]:
 
 
 def starts(figure: Locator, *names: str) -> list[str]:
-    """The values at which the page puts controls."""
+    """The values at which the page starts controls."""
     said = figure.locator("script.schema").evaluate("(script) => JSON.parse(script.text).values")
     return [
         f"{said[name]:g}" if isinstance(said[name], float) else str(said[name]) for name in names
     ]
 
 
-def test_an_address_sets_its_figure_and_no_other_and_what_it_cannot_mean_is_named(
+def test_address_sets_only_its_figure_and_invalid_parts_are_named(
     visitor: Reader,
 ) -> None:
     figure = open_at(visitor, k1="-0.3", picture="chart", tier="newton-5", correct="true")
@@ -221,10 +223,10 @@ def test_an_address_sets_its_figure_and_no_other_and_what_it_cannot_mean_is_name
     assert visitor.page.workers == [worker]
 
 
-def test_the_address_follows_a_hand_at_rest_without_an_entry_of_the_history(
+def test_address_follows_moved_controls_without_history_entries(
     visitor: Reader,
 ) -> None:
-    """After another chapter the figure is as it was left."""
+    """Back from another chapter the figure has its settings."""
     visitor.turn_to(CHAPTER)
     page, figure = visitor.page, visitor.figure("lens-distortion")
     entries = page.evaluate("history.length")
@@ -243,7 +245,7 @@ def test_the_address_follows_a_hand_at_rest_without_an_entry_of_the_history(
     assert values(figure, "k1", "k2") == [*starts(figure, "k1"), "-0.1"]
 
 
-def test_a_reload_puts_a_figure_where_the_address_says_before_python_answers(
+def test_reload_restores_settings_from_the_address_before_python_starts(
     reader: Reader,
 ) -> None:
     reader.page.add_init_script(SILENT_WORKER)
@@ -252,10 +254,10 @@ def test_a_reload_puts_a_figure_where_the_address_says_before_python_answers(
     expect(reader.figure("lens-distortion").locator("[name=k1]")).to_have_value("0.3")
 
 
-def test_words_readouts_and_controls_light_up_together(
+def test_words_readouts_and_controls_are_highlighted_together(
     guest: Reader, figure: Locator, plain_reader: Reader
 ) -> None:
-    """Numbers that a control changes are marked until the hand rests."""
+    """Numbers that a control changes are marked until it rests."""
     page = guest.page
     caption = page.locator(f"#{ID} .figure-caption")
     lit = "(element, role) => (element.dataset.lit ?? '') === role"
@@ -303,19 +305,19 @@ def test_words_readouts_and_controls_light_up_together(
     expect(driven).to_have_count(0)
 
 
-def test_a_screen_reader_finds_numbers_and_pictures_by_name(
+def test_screen_reader_finds_numbers_and_pictures_by_name(
     plain_reader: Reader, guest: Reader, figure: Locator
 ) -> None:
     plain_reader.open(CHAPTER, live=False)
     still = plain_reader.figure("lens-distortion")
     readouts = still.locator(".readouts").first
-    heard = readouts.aria_snapshot()
-    assert "status" not in heard, "numbers do not speak while they change"
-    assert "paragraph" in heard, "Firefox tells of no flexible box without a role"
-    assert readouts.locator("output").first.inner_text() in heard
+    snapshot = readouts.aria_snapshot()
+    assert "status" not in snapshot, "changing numbers are not announced"
+    assert "paragraph" in snapshot, "Firefox ignores flexible boxes without a role"
+    assert readouts.locator("output").first.inner_text() in snapshot
     panels = still.locator(".panels")
     assert panels.locator("svg text").count() > 0
-    assert "text:" not in panels.aria_snapshot(), "of drawings, only their names"
+    assert "text:" not in panels.aria_snapshot(), "drawings have only their names"
     canvases = figure.locator("canvas.live")
     assert canvases.count() > 0
     for canvas in canvases.all():

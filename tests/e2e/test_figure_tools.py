@@ -1,5 +1,5 @@
-"""The tools of one figure: its link, reset, full screen, files, embedding, and a picture of the
-reader's own."""
+"""The tools of a figure: its link, reset, full screen, files, embedding, and the reader's own
+picture."""
 
 import csv
 import io
@@ -24,7 +24,7 @@ ID = "figure-lens-distortion"
 
 @pytest.fixture
 def tools(guest: Reader, figure: Locator) -> Locator:
-    """The figure at a setting of its own, its list of tools open."""
+    """The figure with a changed setting and its list of tools open."""
     guest.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
     figure.locator("[name=k1]").fill("-0.3")
     guest.page.wait_for_function("location.search.includes('k1=-0.3')")
@@ -33,14 +33,14 @@ def tools(guest: Reader, figure: Locator) -> Locator:
     return figure
 
 
-def saved(figure: Locator, button: str) -> Path:
+def save(figure: Locator, button: str) -> Path:
     with figure.page.expect_download() as download:
         figure.locator(button).click()
     path = download.value.path()
     return path.rename(path.with_name(download.value.suggested_filename))
 
 
-def test_the_link_is_copied_reset_is_undone_and_the_figure_fills_the_screen(
+def test_figure_tools_copy_its_link_reset_it_and_fill_the_screen(
     guest: Reader, tools: Locator
 ) -> None:
     page = guest.page
@@ -56,7 +56,7 @@ def test_the_link_is_copied_reset_is_undone_and_the_figure_fills_the_screen(
     )
     tools.locator("[data-copy-link]").click()
     field = tools.locator(".copied")
-    field.wait_for()  # it is shown to be copied by hand
+    field.wait_for()  # the link is shown to be copied manually
     page.evaluate("delete navigator.clipboard.writeText")
     assert field.input_value().endswith(f"?{ID}.k1=-0.3#{ID}")
 
@@ -69,13 +69,13 @@ def test_the_link_is_copied_reset_is_undone_and_the_figure_fills_the_screen(
     expect(tools.locator("[name=k1]")).to_have_value("-0.3")
 
     button, lead = tools.locator("[data-full-screen]"), tools.locator(".panel-view").first
-    said, width = button.inner_text(), lead.evaluate("view => view.clientWidth")
+    label, width = button.inner_text(), lead.evaluate("view => view.clientWidth")
     button.click()
     page.wait_for_function(f"document.fullscreenElement?.id === '{ID}'")
-    expect(button).not_to_have_text(said)
+    expect(button).not_to_have_text(label)
     assert lead.evaluate("view => view.clientWidth") > width
     page.evaluate("document.exitFullscreen()")  # as a browser's Escape does
-    expect(button).to_have_text(said)
+    expect(button).to_have_text(label)
 
     places = """figure => [...figure.querySelectorAll("summary, .tools > button, .open-python")]
       .map(one => [one.offsetLeft, one.offsetTop - figure.offsetTop])"""
@@ -88,22 +88,22 @@ def test_the_link_is_copied_reset_is_undone_and_the_figure_fills_the_screen(
 
 
 def test_numbers_pictures_and_drawings_are_saved(tools: Locator) -> None:
-    """Numbers with their settings, a picture at twice its size with its drawing, a drawing that
+    """Numbers with their settings, a picture with its drawing at twice its size, and a drawing that
     needs no style sheet."""
-    text = saved(tools, "[data-save-numbers]").read_text(encoding="utf-8")
+    text = save(tools, "[data-save-numbers]").read_text(encoding="utf-8")
     rows = {(row["kind"], row["name"]): row for row in csv.DictReader(io.StringIO(text))}
     assert rows["setting", "k1"]["value"] == "-0.3"
     assert float(rows["readout", "corner"]["value"]) == -60.0
     assert rows["readout", "corner"]["unit"] == "px"
     view = tools.locator('[data-panel="picture"] .panel-view')
-    with Image.open(saved(tools, '[data-save-panel="picture"]')) as picture:
+    with Image.open(save(tools, '[data-save-panel="picture"]')) as picture:
         assert picture.format == "PNG"
         assert picture.size == tuple(view.evaluate("v => [2 * v.clientWidth, 2 * v.clientHeight]"))
         colours = set(picture.convert("RGB").get_flattened_data())
     error = tools.locator('[data-panel="picture"] .overlay .error').first
     painted = error.evaluate("element => getComputedStyle(element).color")
     assert tuple(int(part) for part in re.findall(r"\d+", painted)) in colours
-    drawing = saved(tools, '[data-save-panel="grid"]').read_text(encoding="utf-8")
+    drawing = save(tools, '[data-save-panel="grid"]').read_text(encoding="utf-8")
     assert "class=" not in drawing
     assert "data:font/woff2" in drawing or "data:application" in drawing
     stroke = tools.locator('[data-panel="grid"] .overlay .image').first.evaluate(
@@ -112,7 +112,7 @@ def test_numbers_pictures_and_drawings_are_saved(tools: Locator) -> None:
     assert stroke in drawing
 
 
-def test_an_embedded_figure_lives_in_a_page_of_another_origin(
+def test_embedded_figure_works_in_a_page_of_another_origin(
     guest: Reader, tools: Locator, brisk_chromium: Browser, built_site: Path, tmp_path: Path
 ) -> None:
     tools.locator("[data-copy-embed]").click()
@@ -166,10 +166,10 @@ def picture(width: int, height: int, colour: tuple[int, ...], name: str = "own.p
     return FilePayload(name=name, mimeType="image/png", buffer=buffer.getvalue())
 
 
-def test_a_figure_shows_the_reader_s_picture_and_then_the_book_s_again(
+def test_figure_shows_the_readers_picture_and_then_the_books_again(
     guest: Reader, figure: Locator
 ) -> None:
-    """Use its button, and the menu of pictures; a file that is no picture is refused."""
+    """By the button and by the menu of pictures; a file that is no picture is refused."""
 
     def choose(file: FilePayload) -> Any:
         with guest.next_frame(figure):

@@ -1,4 +1,4 @@
-"""The reader's photographs go into the instruments of a page; the results are those of CPython."""
+"""The reader's photographs in the instruments of a page; results agree with CPython."""
 
 import io
 import json
@@ -42,7 +42,7 @@ CORNER = ROOMS["corner"]
 
 
 def edge(angle_deg: float, sigma_px: float) -> Codes:
-    """(H, W, 3) a photograph of an edge."""
+    """A photograph (H, W, 3) of an edge."""
     light = gaussian_edge(480, 640, angle_deg, sigma_px)
     return np.repeat(np.rint(60.0 + 120.0 * light).astype(np.uint8)[..., None], 3, axis=2)
 
@@ -58,16 +58,16 @@ RAW = [
     for pair in pairs_of(150, 5, count=8)[1:5]
     for frame in pair
 ]
-"""Four pairs of the cells of a raw file, each colour above its own black."""
+"""Four pairs of raw mosaics, each colour above its own black level."""
 
 
 def dng_files() -> list[bytes]:
-    """These cells as DNG."""
+    """These mosaics as DNG files."""
     return [dng(codes, black=BLACK, exposure_s=0.01 * (k // 2)) for k, codes in enumerate(RAW, 2)]
 
 
 def transfer_sheet(photographs: Sequence[Photograph]) -> list[list[str]]:
-    """The lines of the photon-transfer data sheet by this Python."""
+    """The lines of the photon-transfer data sheet, computed in CPython."""
     scene = load_scene("photon-transfer")
     assert scene.read
     assert scene.sheet
@@ -91,14 +91,14 @@ def sheet_of_raw() -> list[list[str]]:
 
 
 def png(codes: Codes) -> bytes:
-    """A file whose codes are data, though it says that they are in proportion to the light."""
-    file, said = io.BytesIO(), PngInfo()
-    said.add(b"gAMA", struct.pack(">I", 100_000))
-    Image.fromarray(codes).save(file, "PNG", pnginfo=said)
+    """A PNG file whose gamma chunk, claiming linear codes, must be ignored."""
+    file, info = io.BytesIO(), PngInfo()
+    info.add(b"gAMA", struct.pack(">I", 100_000))
+    Image.fromarray(codes).save(file, "PNG", pnginfo=info)
     return file.getvalue()
 
 
-def saved(folder: Path, contents: dict[str, bytes]) -> list[Path]:
+def write_files(folder: Path, contents: dict[str, bytes]) -> list[Path]:
     for name, content in contents.items():
         (folder / name).write_bytes(content)
     return [folder / name for name in contents]
@@ -112,7 +112,7 @@ class Instrument:
         self.figure = reader.page.locator(f"simulation-figure[data-simulation={scene}]")
         self.whole = reader.page.locator("figure", has=self.figure)
         self.box = self.whole.locator(".intake")
-        self.said = self.box.locator(".intake-said")
+        self.status = self.box.locator(".intake-said")
         self.photographs = self.box.locator(".intake-photo")
         reader.bring(self.box)
         reader.settle(self.figure)
@@ -123,7 +123,7 @@ class Instrument:
     def add(self, files: Sequence[Path]) -> None:
         with self.reader.next_frame(self.figure):
             self.give(files)
-        expect(self.said).to_contain_text("ready")
+        expect(self.status).to_contain_text("ready")
 
     def click(self, button: Locator) -> None:
         """Click, and wait for the frame that this makes."""
@@ -140,7 +140,7 @@ class Instrument:
         return self.figure.locator(f"output[name={name}]")
 
     def sheet(self) -> Any:
-        """The data sheet's part on the one instrument that is used, saved as JSON."""
+        """The data sheet's part for the only instrument in use, saved as JSON."""
         page = self.reader.page
         with page.expect_download() as download:
             page.locator(".data-sheet").get_by_role("button", name="Save as JSON").click()
@@ -156,7 +156,7 @@ def instrument(reader: Reader) -> Instrument:
 
 
 def edge_files(folder: Path) -> list[Path]:
-    """Two photographs, and four files that are none."""
+    """Two photographs, and four invalid files."""
     dot = png(np.zeros((1, 1, 3), np.uint8))
     huge = dot[:16] + struct.pack(">II", 20_000, 20_000) + dot[24:]
     heic = b"\0\0\0\x18ftypheic" + bytes(64)
@@ -165,11 +165,11 @@ def edge_files(folder: Path) -> list[Path]:
     Image.new("L", (8, 8)).save(bomb, "JPEG")
     few = bomb.getvalue().replace(struct.pack(">HH", 8, 8), struct.pack(">HH", 20_000, 20_001))
     broken = {"dot.png": dot, "phone.heic": heic, "huge.png": huge, "huge.jpg": few}
-    return saved(folder, {**edges, **broken})
+    return write_files(folder, {**edges, **broken})
 
 
-def measured(name: str, given: dict[str, Any]) -> list[list[str]]:
-    """The lines of the data sheet by this Python."""
+def slanted_edge_sheet(name: str, given: dict[str, Any]) -> list[list[str]]:
+    """The lines of the slanted-edge data sheet, computed in CPython."""
     scene, codes = load_scene("slanted-edge"), EDGES[name]
     facts = {"full_width": codes.shape[1], "full_height": codes.shape[0]}
     settings, own = scene.check(given), Photograph(1, codes, name, facts)
@@ -178,18 +178,18 @@ def measured(name: str, given: dict[str, Any]) -> list[list[str]]:
     return [[line.label, line.text] for line in scene.sheet(settings, outputs)]
 
 
-def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_reload(
+def test_photographs_are_measured_viewed_removed_refused_and_stored(
     instrument: Instrument, tmp_path: Path
 ) -> None:
-    """What is kept is gone once it is not kept any more; a photograph that was being read when the
-    page was left is read then."""
+    """Stored photographs are deleted when storing is turned off; a photograph that was being read
+    when the page was left is read after a reload."""
     reader, figure, box = instrument.reader, instrument.figure, instrument.box
-    photographs, said = instrument.photographs, instrument.said
+    photographs, status = instrument.photographs, instrument.status
     before = instrument.readout("per_px").inner_text()
     files = edge_files(tmp_path)
     with reader.next_frame(figure):
         box.get_by_role("button", name="Try with samples").press("Enter")
-    expect(said).to_have_text("6 of 6 photographs are ready.")
+    expect(status).to_have_text("6 of 6 photographs are ready.")
     expect(box.get_by_label("Keep on this device")).to_be_hidden()
     instrument.add(files)  # the samples make room
     assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
@@ -197,13 +197,13 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
     expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
     expect(photographs.nth(5)).to_contain_text("20001")
-    expect(said).to_contain_text("4 are refused")
+    expect(status).to_contain_text("4 are refused")
     expect(reader.page.locator(".data-sheet-files")).to_have_text("soft.png")
     instrument.click(figure.get_by_role("button", name="Keep this place"))
     part = instrument.sheet()
     assert part["photographs"] == ["soft.png"]
     assert part["settings"]["kept"]
-    assert part["lines"] == measured("soft.png", part["settings"])
+    assert part["lines"] == slanted_edge_sheet("soft.png", part["settings"])
     soft = instrument.readout("per_px").inner_text()
     instrument.click(photographs.nth(1).locator(".intake-look"))
     assert float(instrument.readout("per_px").inner_text()) > float(soft)
@@ -218,19 +218,19 @@ def test_photographs_are_measured_looked_at_removed_refused_and_kept_over_a_relo
     instrument.add([damaged])
     instrument.give([damaged, files[0]])
     expect(photographs).to_have_count(2)
-    expect(said).to_have_text("2 of 2 photographs are ready. “damaged.jpg” is here already.")
+    expect(status).to_have_text("2 of 2 photographs are ready. “damaged.jpg” is here already.")
     instrument.clear()
 
     reader.page.evaluate(SLOW_TO_OPEN)
-    many = saved(tmp_path, {f"{number}.png": png(EDGES["soft.png"]) for number in range(3)})
+    many = write_files(tmp_path, {f"{number}.png": png(EDGES["soft.png"]) for number in range(3)})
     instrument.give(many)
     box.get_by_role("button", name="Stop").click()
     reader.page.evaluate("window.open_pictures()")
-    expect(said).to_have_text("Stopped. What is ready stays.")
+    expect(status).to_have_text("Stopped. What is ready stays.")
     expect(box.locator("[data-state=reading]")).to_have_count(0)
     assert "waiting" in instrument.states()
     box.get_by_role("button", name="Continue").click()
-    expect(said).to_have_text("3 of 3 photographs are ready.")
+    expect(status).to_have_text("3 of 3 photographs are ready.")
     instrument.clear()
 
     instrument.add(files)
@@ -272,11 +272,11 @@ SLOW_TO_OPEN = """() => {
     return open(...given);
   };
 }"""
-"""The browser opens no picture before it is told to."""
+"""The browser opens no picture before `open_pictures()` is called."""
 
 
 def wait_stored(reader: Reader, count: int) -> None:
-    """Wait until the browser keeps so many photographs."""
+    """Wait until the browser stores this number of photographs."""
     assert reader.page.evaluate(STORES, [count, limit_ms()])
 
 
@@ -302,11 +302,11 @@ STORES = """async ([count, ms]) => {
 }"""
 
 
-def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
+def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
     reader: Reader, tmp_path: Path
 ) -> None:
-    """From too few boards no file can be made; the interpreter that reads them ends after it. The
-    browser has no storage."""
+    """Too few boards give no file, the interpreter that reads them ends afterwards, and the browser
+    has no storage."""
     requests = reader.note_requests(".wasm")
     reader.page.add_init_script("delete IDBFactory.prototype.open")
     reader.open(PAGE)
@@ -314,7 +314,7 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     calibration = Instrument(reader, "calibration")
     boards = [np.repeat(rendered(index), 3, axis=-1) for index in range(3)]
     shots = [*boards, np.full_like(boards[0], 120)]
-    files = saved(tmp_path, {f"board {k}.png": png(codes) for k, codes in enumerate(shots)})
+    files = write_files(tmp_path, {f"board {k}.png": png(codes) for k, codes in enumerate(shots)})
     make = calibration.whole.get_by_role("button", name="JSON", exact=True)
     calibration.give(files[:1])
     expect(calibration.readout("focal")).to_have_text("not determined")
@@ -324,20 +324,20 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     calibration.clear()
     expect(said).to_have_text("")
     calibration.give(files)
-    expect(calibration.said).to_contain_text("3 of 4")
+    expect(calibration.status).to_contain_text("3 of 4")
     expect(calibration.photographs.last).to_contain_text("No chequerboard found")
     expect(calibration.whole.locator("input[name=photographs]")).to_have_value("3")
     expect(calibration.readout("supported")).not_to_have_text("")
     with page.expect_download() as download:
         make.click()
     theirs = json.loads(download.value.path().read_text(encoding="utf-8"))
-    ours = calibrated(boards)
+    ours = calibration_file(boards)
     assert [one["name"] for one in theirs["photographs"]] == [file.name for file in files[:3]]
     for part in ("camera", "standard_errors"):
         assert theirs[part] == pytest.approx(ours[part], rel=1e-6, abs=1e-9)
     assert len(page.workers) == 1
     distances = Instrument(reader, "single-view")
-    distances.give(saved(tmp_path, {"room.png": png(shots[-1])}))  # of the boards' shape
+    distances.give(write_files(tmp_path, {"room.png": png(shots[-1])}))  # of the boards' shape
     expect(distances.readout("lens")).to_contain_text("calibrated on this page")
     calibration.clear()
     expect(distances.readout("lens")).to_contain_text("by the lines alone")
@@ -347,9 +347,9 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     uneven = EVEN[2].copy()
     uneven[:, 90:] //= 2
     pairs = [*EVEN, uneven]
-    files = saved(tmp_path, {f"{k}.png": png(codes) for k, codes in enumerate(pairs)})
+    files = write_files(tmp_path, {f"{k}.png": png(codes) for k, codes in enumerate(pairs)})
     transfer.give(files)
-    expect(transfer.said).to_contain_text(f"{len(EVEN)} of {len(files)}")
+    expect(transfer.status).to_contain_text(f"{len(EVEN)} of {len(files)}")
     expect(transfer.photographs.last).to_contain_text("not evenly lit")
     expect(transfer.readout("gain_true")).to_contain_text("unknown")
     expect(page.locator(".data-sheet-parts")).to_contain_text("Conversion gain")
@@ -358,8 +358,8 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     transfer.clear()
     raw = dng_files()
     cut = [*raw, raw[0][:5000]]
-    transfer.give(saved(tmp_path, {f"{k}.dng": data for k, data in enumerate(cut)}))
-    expect(transfer.said).to_contain_text(f"{len(RAW)} of {len(cut)} photographs are ready")
+    transfer.give(write_files(tmp_path, {f"{k}.dng": data for k, data in enumerate(cut)}))
+    expect(transfer.status).to_contain_text(f"{len(RAW)} of {len(cut)} photographs are ready")
     expect(transfer.photographs.last).to_contain_text("damaged or cut off")
     expect(page.locator(".data-sheet-parts")).to_contain_text("green, row 0")
     reader.settle(transfer.figure)
@@ -377,19 +377,19 @@ def test_boards_pairs_and_raw_files_are_measured_as_in_cpython(
     grain = np.random.default_rng(2).normal(0.0, 3.0, light.shape)
     cells = np.rint(64 + 4031 * light + grain).astype(np.uint16)
     slanted = Instrument(reader, "slanted-edge")
-    slanted.give(saved(tmp_path, {"edge.dng": dng(cells, black=BLACK[:1])}))
-    expect(slanted.said).to_contain_text("1 of 1 photograph is ready")
+    slanted.give(write_files(tmp_path, {"edge.dng": dng(cells, black=BLACK[:1])}))
+    expect(slanted.status).to_contain_text("1 of 1 photograph is ready")
     keep = slanted.box.get_by_label("Keep on this device")
     keep.click()
-    expect(slanted.said).to_contain_text("keeps no photographs")
+    expect(slanted.status).to_contain_text("keeps no photographs")
     expect(keep).not_to_be_checked()
     reader.settle(slanted.figure)
     per_px = slanted.readout("per_px").inner_text().split()[0]
     assert float(per_px) == pytest.approx(gaussian_half(1.0), rel=0.01)
 
 
-def calibrated(boards: Sequence[Codes]) -> dict[str, Any]:
-    """The JSON file by this Python."""
+def calibration_file(boards: Sequence[Codes]) -> dict[str, Any]:
+    """The calibration's JSON file, computed in CPython."""
     scene = load_scene("calibration")
     assert scene.read
     readings = tuple(
@@ -403,7 +403,7 @@ def calibrated(boards: Sequence[Codes]) -> dict[str, Any]:
     return read
 
 
-def test_lines_are_drawn_by_hand_and_by_keys_taken_back_and_measured_as_in_cpython(
+def test_drawn_lines_can_be_undone_and_give_the_results_of_cpython(
     visitor: Reader, book: Any, tmp_path: Path
 ) -> None:
     keyboard, figure = visitor.page.keyboard, visitor.turn_to_figure(book, "single-view")
@@ -455,7 +455,7 @@ def test_lines_are_drawn_by_hand_and_by_keys_taken_back_and_measured_as_in_cpyth
     whole = visitor.page.locator(f"#{place}")
     with visitor.next_frame(figure):
         whole.locator(".intake input[type=file]").set_input_files(
-            saved(tmp_path, {"room.png": png(codes)})
+            write_files(tmp_path, {"room.png": png(codes)})
         )
     visitor.settle(figure)
     scene = load_scene("single-view")
@@ -490,7 +490,7 @@ READS = """(lines) => {
   return rows.length === lines.length && rows.every(([what, value], index) =>
     what?.textContent === lines[index][0] && value.textContent.startsWith(lines[index][1]));
 }"""
-"""Whether these are the lines of the sheet, whose units follow the values."""
+"""Whether the sheet has these lines; units follow the values."""
 
 
 @pytest.mark.deep

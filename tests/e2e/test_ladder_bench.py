@@ -1,4 +1,4 @@
-"""A reader measures a ladder on the device at hand: points, numbers, a file; and can stop."""
+"""Measuring a ladder on the reader's device: points, times, a file, and stopping."""
 
 import csv
 import io
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.browser
 
 CHAPTER = "speed-and-accuracy/"
 LADDER = "rotation-interpolation"
-"""A quick one."""
+"""A ladder with quick tiers."""
 RECORDED = json.loads((ROOT / "content" / "measurements.json").read_text("utf-8"))["ladders"]
 
 
@@ -28,25 +28,25 @@ def bench(visitor: Reader) -> Locator:
     return found
 
 
-def state(bench: Locator, expected: str) -> None:
+def expect_state(bench: Locator, expected: str) -> None:
     expect(bench).to_have_attribute("data-state", expected)
 
 
-def test_measuring_adds_a_time_and_a_point_for_every_tier_and_moves_nothing(
+def test_measuring_adds_a_time_and_a_point_per_tier_and_moves_nothing(
     visitor: Reader, bench: Locator
 ) -> None:
-    """After a lost worker the next attempt succeeds; every ladder can be measured."""
+    """Every ladder can be measured, and after a lost worker the next attempt succeeds."""
     page, run = visitor.page, bench.locator("button.run")
     benches = page.locator("ladder-bench")
     assert benches.count() >= len(RECORDED)
     assert benches.evaluate_all(OFFERED) == [["idle", True]] * benches.count()
     page.evaluate(LOSE)
     run.click()
-    state(bench, "failed")
+    expect_state(bench, "failed")
     assert "lost on purpose" in bench.locator(".ladder-status").inner_text()
     page.evaluate("window.shifts.length = 0")
     run.click()
-    state(bench, "done")
+    expect_state(bench, "done")
     cells = bench.locator("td.own").all_inner_texts()
     assert all(float(text) > 0.0 for text in cells)
     assert bench.locator(".overlay .own polygon").count() == len(cells)
@@ -84,17 +84,17 @@ HEIGHTS = """bench => [['.own .spread', 'y1'], ['circle.hollow', 'cy']].map(([wh
   [...bench.querySelectorAll(what)].map(mark => Number(mark.getAttribute(name))))"""
 
 
-def test_a_measurement_is_stopped_by_keyboard_or_by_leaving_the_chapter(
+def test_measurement_is_stopped_by_keyboard_or_by_leaving_the_chapter(
     visitor: Reader, bench: Locator
 ) -> None:
-    """What was measured is kept, and no button is ever dead."""
+    """Finished measurements are kept, and buttons stay usable."""
     page, run = visitor.page, bench.locator("button.run")
     page.evaluate(HOLD)
     run.press("Enter")
     expect(bench.locator("button.stop")).to_be_focused()
     page.keyboard.press("Enter")
     page.evaluate("release()")
-    state(bench, "stopped")
+    expect_state(bench, "stopped")
     expect(run).to_be_focused()
     rows = bench.locator("td.own").all_inner_texts()
     measured = [text for text in rows if text != "–"]
@@ -102,13 +102,13 @@ def test_a_measurement_is_stopped_by_keyboard_or_by_leaving_the_chapter(
     assert str(len(measured)) in bench.locator(".ladder-status").inner_text()
     page.evaluate(HOLD)
     run.click()
-    state(bench, "running")
+    expect_state(bench, "running")
     page.locator(".pager a[rel=prev]").click()
     page.evaluate("release()")
     page.wait_for_selector(f'main .pager a[href$="{CHAPTER}"]')
     visitor.wait_live()
     page.go_back()
-    state(bench, "idle")
+    expect_state(bench, "idle")
 
 
 HOLD = """() => {
@@ -123,4 +123,4 @@ HOLD = """() => {
     for (const go of held) go();
   };
 }"""
-"""No tier is measured until `release()`, so that a hand is in time on the slowest machine."""
+"""No tier is measured until `release()`, so that the test is in time on the slowest machine."""

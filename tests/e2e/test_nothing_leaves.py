@@ -1,4 +1,4 @@
-"""A reader's Python reaches neither another host nor what the browser stores."""
+"""A reader's Python can access neither another host nor the browser's storage."""
 
 import json
 import socket
@@ -19,11 +19,11 @@ OPEN = (b"HTTP/1.1 200 OK\r\nAccess-Control-Allow-Origin: *\r\nContent-Type: tex
         b"Content-Length: 0\r\nConnection: close\r\n\r\n")  # fmt: skip
 
 
-class Elsewhere:
-    """Another host, which lets every page read what it sends, and notes what reaches it."""
+class OtherHost:
+    """Another host, which lets every page read its replies, and records requests."""
 
     def __init__(self) -> None:
-        self.heard: list[bytes] = []
+        self.received: list[bytes] = []
         self.socket = socket.create_server(("127.0.0.1", 0))
         self.address = f"127.0.0.1:{self.socket.getsockname()[1]}"
         threading.Thread(target=self._listen, daemon=True).start()
@@ -35,21 +35,21 @@ class Elsewhere:
             except OSError:  # closed
                 return
             with connection:
-                self.heard.append(connection.recv(1000))
+                self.received.append(connection.recv(1000))
                 connection.sendall(OPEN)
 
-    def note(self) -> list[bytes]:
-        """What was heard, after all that came before this call."""
+    def requests(self) -> list[bytes]:
+        """All requests before this call, which are then forgotten."""
         with socket.create_connection(self.socket.getsockname()) as last:
             last.sendall(b"last")
             last.recv(1)
-        heard, self.heard = self.heard[:-1], []
-        return heard
+        received, self.received = self.received[:-1], []
+        return received
 
 
 @pytest.fixture
-def elsewhere() -> Iterator[Elsewhere]:
-    host = Elsewhere()
+def other_host() -> Iterator[OtherHost]:
+    host = OtherHost()
     yield host
     host.socket.close()
 
@@ -82,7 +82,7 @@ WAYS = """(address) => {
     () => (0, eval)(`import('${url}')`),
   ];
 }"""
-"""What a script of a worker can try."""
+"""Ways by which a worker's script could reach another host."""
 FROM_A_BLOB = f"""async (address) => {{
   const source = `({{}}).constructor; const ways = ({WAYS.replace("`", "\\`").replace("$", "\\$")})
     ("${{address}}");
@@ -96,13 +96,13 @@ FROM_A_BLOB = f"""async (address) => {{
 
 
 @pytest.mark.parametrize("name", ["Chromium", "Firefox", "WebKitGTK"])
-def test_the_policy_of_a_page_holds_workers_of_blobs_which_reach_no_other_host(
-    name: str, chromium: Browser, site_server: StaticServer, elsewhere: Elsewhere, tmp_path: Path
+def test_policy_of_a_page_keeps_blob_workers_from_other_hosts(
+    name: str, chromium: Browser, site_server: StaticServer, other_host: OtherHost, tmp_path: Path
 ) -> None:
     with window(name, chromium, tmp_path) as tab:
         tab.open(f"{site_server.url}licences/")
-        assert tab.ask(FROM_A_BLOB, elsewhere.address) == "tried"
-    assert elsewhere.note() == []
+        assert tab.ask(FROM_A_BLOB, other_host.address) == "tried"
+    assert other_host.requests() == []
 
 
 HIDDEN = (
@@ -165,21 +165,21 @@ RUN = """async (...sources) => {
     results.push(await runtime.call('render_edited', {...frame, edits})
       .then(({problem, printed}) => [problem, printed], ({message}) => [message, '']));
   }
-  await runtime.call('forget', {figure: 'figure-x'}); // what was begun has had its turn
+  await runtime.call('forget', {figure: 'figure-x'}); // everything begun before has finished
   return results;
 }"""
 
 
 @pytest.mark.parametrize("name", BROWSERS)
-def test_edited_python_finds_no_way_to_another_host_or_to_what_is_stored(
-    name: str, chromium: Browser, site_server: StaticServer, elsewhere: Elsewhere, tmp_path: Path
+def test_edited_python_finds_no_way_to_another_host_or_to_storage(
+    name: str, chromium: Browser, site_server: StaticServer, other_host: OtherHost, tmp_path: Path
 ) -> None:
     with window(name, chromium, tmp_path) as tab:
         tab.open(site_server.url + CHAPTER)
-        ((problem, printed),) = tab.ask(RUN, EDIT.replace("ADDRESS", elsewhere.address))
+        ((problem, printed),) = tab.ask(RUN, EDIT.replace("ADDRESS", other_host.address))
     assert problem is None, json.dumps(problem)
     assert printed == "found: [] True\n"
-    assert elsewhere.note() == []
+    assert other_host.requests() == []
 
 
 HARMS = (
@@ -199,7 +199,7 @@ HARMS = (
 
 
 @pytest.mark.parametrize("harms", [HARMS[1::5], pytest.param(HARMS, marks=pytest.mark.deep)])
-def test_what_an_edit_damages_is_whole_again_for_the_next(
+def test_damage_by_an_edit_is_undone_before_the_next(
     chromium: Browser, site_server: StaticServer, tmp_path: Path, harms: tuple[str, ...]
 ) -> None:
     draw = "def _encoded(photo):\n    {}\n    return to_rgba8(encode_srgb_table(photo.linear))\n"
@@ -240,15 +240,15 @@ DRAWN = """async ([drawings]) => {
 }"""
 
 
-def test_a_drawing_by_edited_python_leads_and_reaches_nowhere(
-    visitor: Reader, elsewhere: Elsewhere
+def test_drawing_by_edited_python_cannot_navigate_or_send_requests(
+    visitor: Reader, other_host: OtherHost
 ) -> None:
     visitor.turn_to(CHAPTER)
-    drawings = [each.replace("URL", f"http://{elsewhere.address}/secret") for each in DRAWINGS]
+    drawings = [each.replace("URL", f"http://{other_host.address}/secret") for each in DRAWINGS]
     left = visitor.page.evaluate(DRAWN, [drawings])
     of_the_drawing_itself = {5: ["href"]}
     assert left == [of_the_drawing_itself.get(n, []) for n in range(len(DRAWINGS))]
     assert visitor.page.url.endswith(CHAPTER)
     assert all("inline event handler" in each for each in visitor.complaints)
     visitor.complaints.clear()  # the policy refused it as well
-    assert elsewhere.note() == []
+    assert other_host.requests() == []

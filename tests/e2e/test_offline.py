@@ -1,4 +1,4 @@
-"""The book without a network, and the turn from one release to the next."""
+"""The book without a network, and the change from one release to the next."""
 
 import threading
 import time
@@ -27,7 +27,7 @@ from site_builder.publishing.hosting import WORKER, address, no_release, release
 pytestmark = pytest.mark.browser
 
 FILM, ODD = "film.bin", "Fig #3 50%.bin"
-"""Files of the small site: a film for a page, and one whose name is no address."""
+"""Files of the small site: a film for a page, and one whose name needs escaping."""
 MOMENTS = ("loading", "at rest", "offline")
 UPDATES = ("whole", "cut", "arriving", "none")
 TABLE = {
@@ -36,26 +36,27 @@ TABLE = {
     "damaged": ("2 2 2 1", "2 2 2 1", "2 - - 1"),
     "none": ("2 2 2", "2 2 2", "2 - -"),
 }
-"""Which release a page shows: by what is stored of release 1; by what the page does as it looks for
-release 2 (`MOMENTS`); and by what arrives of that (`UPDATES`). A host has one release at a time."""
+"""The release that a page shows, by the stored state of release 1, by what the page does while it
+looks for release 2 (`MOMENTS`), and by how that arrives (`UPDATES`). A host has one release at a
+time."""
 ROWS = {
-    (stored, moment, update): shown
+    (stored, moment, update): release
     for stored, cells in TABLE.items()
     for moment, cell in zip(MOMENTS, cells, strict=True)
-    for update, shown in zip(UPDATES, cell.split(), strict=False)
+    for update, release in zip(UPDATES, cell.split(), strict=False)
 }
 SAMPLE = [
     (stored, moment, update)
     for stored, moment, update in ROWS
     if ([*TABLE].index(stored) + MOMENTS.index(moment) + UPDATES.index(update)) % 3 == 0
 ]
-"""A third, in which any two of the three parts of a row meet."""
+"""A third of the rows, with all pairs of two of a row's three parts."""
 
 HTML = """<!DOCTYPE html><title>{release}</title><script>
   window.shared = () => import(new URL("{root}assets/{release}/shared.js", location.href));
 </script>"""
 SHARED = b'export const late = async () => (await import("./late.js")).release;'
-"""The same in both releases; the file beside it is not."""
+"""Equal in both releases, while the file that it imports differs."""
 SHOWN = "async () => document.title + (await (await shared()).late())"
 SEEK = """async () => {
   const known = await navigator.serviceWorker.getRegistration();
@@ -68,13 +69,13 @@ SEEK = """async () => {
     look();
   });
 }"""
-"""Look for a release; `end` comes when it is taken up, or is not."""
+"""Look for a release; `end` resolves once it is active or rejected."""
 FRAME = """async () => {
   const frame = Object.assign(document.createElement('iframe'), {src: 'other/'});
   await new Promise((resolve) => (frame.onload = resolve) && document.body.append(frame));
   await (await frame.contentWindow.shared()).late();
 }"""
-"""Open a further page, which may be of the next release, beside this one."""
+"""Open a second page, possibly of the next release, beside this one."""
 EACH = """async () => {
   const texts = [];
   for (const name of await caches.keys()) {
@@ -95,7 +96,7 @@ SPOIL = {
 
 @dataclass
 class ChromiumTab:
-    """What the table needs of an `Engine`."""
+    """The part of an `Engine` that the table needs, for Chromium."""
 
     page: Page
 
@@ -137,7 +138,7 @@ def sites(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, Path]:
 
 @pytest.fixture
 def host(sites: Mapping[str, Path]) -> Iterator[StaticServer]:
-    """Each is an origin of its own, where nothing is stored yet."""
+    """A new origin, for which nothing is stored yet."""
     with serving(sites["1"]) as server:
         yield server
 
@@ -155,14 +156,14 @@ def tab(brisk_chromium: Browser, host: StaticServer) -> Iterator[ChromiumTab]:
         for row in ROWS
     ],
 )
-def test_a_release_is_there_whole_or_not_at_all_whatever_is_stored_and_arrives(
+def test_release_is_shown_completely_or_not_at_all(
     row: tuple[str, str, str], tab: Tab, host: StaticServer, sites: Mapping[str, Path]
 ) -> None:
-    turn_of_releases(row, tab, host, sites)
+    check_change_of_release(row, tab, host, sites)
 
 
 @pytest.mark.deep
-def test_a_release_is_there_whole_or_not_at_all_in_firefox(
+def test_release_is_shown_completely_or_not_at_all_in_firefox(
     sites: Mapping[str, Path], tmp_path: Path
 ) -> None:
     opened = ENGINES["Firefox"](tmp_path)
@@ -171,18 +172,18 @@ def test_a_release_is_there_whole_or_not_at_all_in_firefox(
     with opened as firefox:
         for row in list(ROWS)[2::9]:
             with serving(sites["1"]) as host:
-                turn_of_releases(row, firefox, host, sites)
+                check_change_of_release(row, firefox, host, sites)
 
 
-def turn_of_releases(
+def check_change_of_release(
     row: tuple[str, str, str], tab: Tab, host: StaticServer, sites: Mapping[str, Path]
 ) -> None:
-    """A page shows what the table says, and once all arrives the last release is stored whole."""
+    """Check that a page shows the table's release, and that the last one is finally stored."""
     stored, moment, update = row
     last = "1" if update == "none" else "2"
     host.uncached = True
     if stored != "none":
-        take_up(tab, host.url)
+        activate_release(tab, host.url)
     if stored in SPOIL:
         tab.ask(SPOIL[stored])
     requested, released = threading.Event(), threading.Event()
@@ -208,10 +209,10 @@ def turn_of_releases(
         tab.ask("() => window.end")
     if moment == "at rest":
         tab.ask(FRAME)
-    visible = shown(tab)
+    visible = shown_release(tab)
     if moment == "offline":
         host.gone = True
-        visible = shown(tab, host.url)
+        visible = shown_release(tab, host.url)
     assert visible == ROWS[row] * len(visible), row
     if update == "cut" and moment != "offline":
         assert set(whole) - {last} <= set(tab.ask(STORED)), "one file stops no other"
@@ -221,24 +222,24 @@ def turn_of_releases(
     released.set()
     if update != "arriving" or moment == "offline":
         tab.open(f"{host.url}other/")
-        take_up(tab, host.url)
+        activate_release(tab, host.url)
     tab.ask("() => window.end")
     until(lambda: set(whole) <= set(tab.ask(STORED)))
     host.gone = True
     for page in ("", "other?place=1"):
-        assert shown(tab, host.url + page) == last * 2, row
+        assert shown_release(tab, host.url + page) == last * 2, row
     assert tab.ask("() => location.href").endswith("other/?place=1")
     until(lambda: whole == sorted(tab.ask(STORED)))
 
 
-def take_up(tab: Tab, home: str) -> None:
+def activate_release(tab: Tab, home: str) -> None:
     tab.open(home)
     tab.ask(SEEK)
     tab.ask("() => window.end")
 
 
-def shown(tab: Tab, url: str = "") -> str:
-    """The releases of a page and of its late script; `-` where the page does not come."""
+def shown_release(tab: Tab, url: str = "") -> str:
+    """The releases of a page and of its late script; `-` where the page does not load."""
     with suppress(PlaywrightError, RuntimeError):
         if url:
             tab.open(url)
@@ -246,10 +247,10 @@ def shown(tab: Tab, url: str = "") -> str:
     return "-"
 
 
-def test_where_the_book_is_no_longer_to_be_stored_it_is_removed(
+def test_stored_book_is_removed_once_offline_use_is_turned_off(
     tab: Tab, host: StaticServer
 ) -> None:
-    take_up(tab, host.url)
+    activate_release(tab, host.url)
     host.damaged["/sw.js"] = no_release("assets/1/")[WORKER]
     tab.open(host.url)
     with suppress(PlaywrightError):  # the page is loaded anew
@@ -257,12 +258,12 @@ def test_where_the_book_is_no_longer_to_be_stored_it_is_removed(
     until(lambda: not tab.ask("() => caches.keys()"))
 
 
-def test_the_browser_s_own_copy_goes_first_a_second_try_heals_and_a_film_is_wound_forward(
+def test_browser_cache_goes_first_a_retry_repairs_and_ranges_work(
     tab: ChromiumTab, host: StaticServer
 ) -> None:
-    """With its own copy of a script the browser keeps the compiled code."""
+    """With a script in its own cache, the browser also caches the compiled code."""
     page = tab.page
-    take_up(tab, host.url)
+    activate_release(tab, host.url)
     for cache, is_stored in (("default", True), ("only-if-cached", False)):
         with page.expect_response("**/late.js") as reply:
             page.evaluate(FETCH, ["late.js", {"cache": cache, "mode": "same-origin"}])
@@ -270,7 +271,7 @@ def test_the_browser_s_own_copy_goes_first_a_second_try_heals_and_a_film_is_woun
         assert reply.value.ok
     tab.ask(SPOIL["damaged"])
     options = {"integrity": integrity(b"0123456789")}
-    with suppress(PlaywrightError):  # what checks a file itself may get a damaged one
+    with suppress(PlaywrightError):  # a caller that checks integrity may get a damaged file
         page.evaluate(FETCH, [FILM, options])
     assert page.evaluate(FETCH, [FILM, {**options, "cache": "reload"}])[0] == 200
     host.gone = True
@@ -279,7 +280,7 @@ def test_the_browser_s_own_copy_goes_first_a_second_try_heals_and_a_film_is_woun
     host.gone = False
     (worker,) = page.context.service_workers
     worker.evaluate("void (caches.open = () => Promise.reject(new Error('broken')))")
-    assert shown(tab, f"{host.url}other/") == "11"
+    assert shown_release(tab, f"{host.url}other/") == "11"
 
 
 FETCH = """async ([name, options]) => {
@@ -295,7 +296,7 @@ PARTS = {
 """A host's answers to ranges by RFC 9110, section 14."""
 
 
-def test_after_one_visit_every_page_its_figures_and_the_search_work_without_a_network(
+def test_every_page_figure_and_the_search_work_offline_after_one_visit(
     brisk_chromium: Browser, built_site: Path, book: Any
 ) -> None:
     with (
@@ -328,7 +329,7 @@ TITLES = """(urls) => Promise.all(urls.map(async (url) => {
 
 
 @pytest.mark.parametrize("file", [WORKER, "references/"])
-def test_why_the_book_is_not_stored_is_said_once_and_the_page_works_on(
+def test_failure_to_store_the_book_is_reported_once_and_pages_work(
     brisk_chromium: Browser, built_site: Path, file: str
 ) -> None:
     with (
@@ -347,7 +348,7 @@ def test_why_the_book_is_not_stored_is_said_once_and_the_page_works_on(
 
 
 def until(ask: Callable[[], Any]) -> None:
-    """Ask until the answer is yes. (Playwright's own waiting takes any promise for a yes.)"""
+    """Poll until the result is true. (Playwright's own waiting accepts any promise as true.)"""
     deadline = time.monotonic() + 2 * limit_s()
     while time.monotonic() < deadline:
         with suppress(PlaywrightError, RuntimeError):  # the page was turned while it was asked
@@ -364,7 +365,7 @@ def search(page: Page, words: str) -> str | None:
     return page.locator("a[data-result]").first.get_attribute("href")
 
 
-def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_of_the_next(
+def test_page_of_an_earlier_release_keeps_working_and_leads_to_the_next(
     brisk_chromium: Browser, built_site: Path, tmp_path: Path
 ) -> None:
     """The host has the book with its assets and its Python in folders of other names."""
@@ -410,5 +411,5 @@ MEASURE = """async () => {
   const asked = {ladder: 'shading', tier: 'any', budget: 0.001};
   return inside.sharedRuntime().call('measure', asked).then(() => '', (error) => error.message);
 }"""
-"""The message where a part is asked for late."""
+"""The error of a call that needs a part of an earlier release."""
 LOADED = "performance.getEntriesByType('resource').map(({name}) => name)"

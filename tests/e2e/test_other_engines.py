@@ -1,4 +1,4 @@
-"""A reader's way through the book in the engines that the other tests do not use."""
+"""A reader's session in the engines that the other tests do not use."""
 
 from pathlib import Path
 from typing import Any
@@ -22,20 +22,20 @@ NAMES = ["Firefox", pytest.param("WebKitGTK", marks=pytest.mark.deep)]
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goes_offline(
+def test_whole_session_of_a_reader_works_in_other_engines(
     name: str, built_site: Path, book: Any, tmp_path: Path
 ) -> None:
     with open_engine(name, tmp_path) as engine, serving(built_site) as host:
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {LIVE}")
-        moves_a_figure(engine)
+        move_figure(engine)
         (controls,) = (one["controls"] for one in book["simulations"] if one["id"] == SCENE)
         tried = engine.ask(TRIED.replace("TRY", TRY_CONTROLS), FIGURE, controls)
         assert all(one["hit"] and one["focused"] and one["frames"] for one in tried), tried
-        edits_its_python(engine)
-        writes_a_function(engine)
-        answers(engine)
-        searches(engine)
+        edit_python(engine)
+        write_function(engine)
+        answer_questions(engine)
+        search(engine)
         click(engine, middle(engine, ".pager a[rel=next]"))
         wait_for(engine, "(left) => !location.pathname.endsWith(left)", CHAPTER)
         wait_for(engine, f"() => document.activeElement.id === 'main' && {ONE_LIVES}")
@@ -49,8 +49,8 @@ def test_a_reader_plays_edits_answers_searches_turns_the_page_comes_back_and_goe
         wait_for(engine, f"() => {ONE_LIVES}")
 
 
-def writes_a_function(engine: Engine) -> None:
-    """Check what the exercise starts with, then its solution."""
+def write_function(engine: Engine) -> None:
+    """Submit the exercise's starter, then its solution."""
     for text, verdict in (("starter", "wrong"), ("solution", "correct")):
         engine.ask(WRITE, text)
         wait_for(engine, WRITTEN, verdict)
@@ -70,8 +70,8 @@ WRITTEN = """(verdict) => {
 }"""
 
 
-def moves_a_figure(engine: Engine) -> None:
-    """Use its slider, a handle, and the handle's keys."""
+def move_figure(engine: Engine) -> None:
+    """Use the slider, a handle, and the handle's keys."""
     x, y = middle(engine, SLIDER)
     start = engine.ask(STATE, SCENE)
     click(engine, (x + 30, y))
@@ -86,8 +86,8 @@ def moves_a_figure(engine: Engine) -> None:
     wait_for(engine, MOVED, SCENE, start)
 
 
-def edits_its_python(engine: Engine) -> None:
-    """Run it in an interpreter of its own."""
+def edit_python(engine: Engine) -> None:
+    """Edit the figure's Python and run it in a separate interpreter."""
     click(engine, middle(engine, f"{FIGURE} .open-python"))
     wait_for(engine, "(part) => Boolean(document.querySelector(part))", PART)
     click(engine, middle(engine, PART))
@@ -98,8 +98,8 @@ def edits_its_python(engine: Engine) -> None:
     wait_for(engine, SAYS, f"{FIGURE} .workshop-result", "Running your code.")
 
 
-def answers(engine: Engine) -> None:
-    """A question wrongly, a prediction rightly."""
+def answer_questions(engine: Engine) -> None:
+    """Answer a question wrongly and a prediction correctly."""
     click(engine, middle(engine, f'{QUESTION} label:has(input[value="0"])'))
     click(engine, middle(engine, f"{QUESTION} button[type=submit]"))
     wait_for(engine, ANSWERED, QUESTION, "wrong")
@@ -109,7 +109,7 @@ def answers(engine: Engine) -> None:
     wait_for(engine, ANSWERED, PREDICTION, "correct")
 
 
-def searches(engine: Engine) -> None:
+def search(engine: Engine) -> None:
     engine.ask("() => document.getElementById('main').focus()")
     press(engine, "/")
     wait_for(engine, "() => document.activeElement.matches('dialog.search input')")

@@ -1,5 +1,5 @@
-"""Storage that fails or holds junk, a second tab, a host that goes, hostile addresses, intruders:
-no answer is lost, and the page works on."""
+"""Failing or corrupt storage, a second tab, a lost host, hostile addresses, injected content: no
+answer is lost, and the page keeps working."""
 
 import base64
 import hashlib
@@ -35,21 +35,21 @@ def form(page: Page, number: int = 0) -> Locator:
 
 
 def answer(page: Page, option: int, number: int = 0) -> None:
-    """Give the answer that the author wrote in that place."""
+    """Choose the option at that place in the source, and submit it."""
     asked = form(page, number)
     asked.locator(f"input[value='{option}']").check()
     asked.locator("button[type=submit]").click()
 
 
-def chosen(page: Page, number: int = 0) -> str | None:
-    """The answer that was given and judged."""
+def submitted(page: Page, number: int = 0) -> str | None:
+    """The value of the submitted answer."""
     asked = form(page, number)
     if asked.get_attribute("data-answered") is None:
         return None
     return asked.locator("input:checked").get_attribute("value")
 
 
-def test_full_storage_keeps_answers_until_the_book_is_left_and_that_is_said_once(
+def test_full_storage_is_reported_once_and_answers_last_for_the_visit(
     plain_reader: Reader, chapter: str
 ) -> None:
     plain_reader.open(chapter, live=False)
@@ -63,7 +63,7 @@ def test_full_storage_keeps_answers_until_the_book_is_left_and_that_is_said_once
     assert notice.count() == 0
     plain_reader.turn_to(OTHER, live=False)
     plain_reader.turn_to(chapter, live=False)
-    assert (chosen(page), chosen(page, 1)) == ("1", "0")
+    assert (submitted(page), submitted(page, 1)) == ("1", "0")
     with page.expect_download() as download:
         page.locator("[data-progress-export]").click()
     saved = json.loads(download.value.path().read_text(encoding="utf-8"))
@@ -78,10 +78,10 @@ FULL = """() => {
     } catch {}
   }
 }"""
-"""Leave no room in the storage of this host."""
+"""Fill the storage of this host."""
 
 
-def test_an_answer_in_one_tab_shows_in_another_and_takes_nothing_from_it(
+def test_answer_in_one_tab_appears_in_another_and_overwrites_nothing(
     plain_reader: Reader, chapter: str
 ) -> None:
     plain_reader.open(chapter, live=False)
@@ -92,16 +92,16 @@ def test_an_answer_in_one_tab_shows_in_another_and_takes_nothing_from_it(
     unsent.check()
     answer(one, 1)
     expect(form(other)).to_have_attribute("data-answered", re.compile("correct|wrong"))
-    assert chosen(other) == "1"
+    assert submitted(other) == "1"
     assert unsent.is_checked(), "not yet given"
     answer(other, 0)
     expect(form(one).locator("input[value='0']")).to_be_checked()
     other.close()
     one.reload()
-    assert chosen(one) == "0", "the last one"
+    assert submitted(one) == "0", "the last one"
 
 
-def test_a_page_stays_while_the_host_is_gone_and_turns_once_it_is_back(
+def test_page_stays_while_the_host_is_down_and_turns_once_it_is_back(
     plain_reader: Reader, server: StaticServer, chapter: str
 ) -> None:
     plain_reader.open(chapter, live=False)
@@ -114,7 +114,7 @@ def test_a_page_stays_while_the_host_is_gone_and_turns_once_it_is_back(
     notice.wait_for()
     server.gone = False
     assert "This one stays" in notice.inner_text()
-    assert chosen(page) == "1"
+    assert submitted(page) == "1"
     notice.get_by_role("button", name="Try again").click()
     page.wait_for_url(f"**/{OTHER}")
     plain_reader.complaints.clear()  # the browser's own, of the host
@@ -129,7 +129,7 @@ HOSTILE = (
 )
 
 
-def test_a_hostile_address_runs_and_sets_nothing(plain_reader: Reader) -> None:
+def test_hostile_address_runs_and_sets_nothing(plain_reader: Reader) -> None:
     page, figure = plain_reader.page, plain_reader.figure("perspective-projection")
     for end in HOSTILE:
         page.goto("about:blank")
@@ -154,7 +154,7 @@ JUNK = """(junk) => {
   for (const key of ['theme', 'order', 'keys']) localStorage.setItem(prefix + key, junk);
   sessionStorage.setItem(`${prefix}unsent`, junk);
 }"""
-"""Under every name that the book keeps anything."""
+"""Store junk under every key that the book uses."""
 JUNKS = (
     *("[[[", "5", '"text"', "[]", "null", "{}"),
     '{"edition": "EDITION", "runs": true}',
@@ -165,18 +165,18 @@ JUNKS = (
 )
 
 
-def test_half_a_million_numbers_or_letters_are_dropped_and_the_page_goes_on(
+def test_huge_stored_answers_and_search_texts_are_dropped(
     plain_reader: Reader, chapter: str
 ) -> None:
-    """In an answer that is stored, and in a question to the search."""
+    """Half a million numbers in a stored answer, and 100 000 letters in the search."""
     plain_reader.open(chapter, live=False)
     page = plain_reader.page
     page.evaluate(HUGE, 480_000)
     page.reload()
     expect(page.locator(".progress-count")).not_to_be_empty()
-    assert chosen(page) is None
+    assert submitted(page) is None
     answer(page, 0)
-    assert chosen(page) == "0"
+    assert submitted(page) == "0"
     page.keyboard.press("/")
     field = page.locator("dialog.search input")
     for text in ("x" * 100_000, "colour " * 20_000):
@@ -195,10 +195,8 @@ HUGE = """(count) => {
 
 
 @pytest.mark.parametrize("chapter", ["why-image-formation/", "perspective-projection/"])
-def test_junk_under_every_name_that_the_book_keeps_is_no_answer_and_does_no_harm(
-    plain_reader: Reader, chapter: str
-) -> None:
-    """Between them the chapters have every kind of question and of prediction."""
+def test_junk_in_storage_is_no_answer_and_does_no_harm(plain_reader: Reader, chapter: str) -> None:
+    """Together the chapters have every kind of question and prediction."""
     plain_reader.open(chapter, live=False)
     page = plain_reader.page
     for junk in JUNKS:
@@ -211,7 +209,7 @@ def test_junk_under_every_name_that_the_book_keeps_is_no_answer_and_does_no_harm
     expect(page.locator(".progress-count")).not_to_be_empty()
     assert page.locator("[data-answered]").count() == 0
     answer(page, 0)
-    assert chosen(page) == "0"
+    assert submitted(page) == "0"
 
 
 LOADED = (
@@ -221,7 +219,7 @@ LOADED = (
 
 
 @pytest.mark.parametrize(("address", "storage", "name", "junk"), LOADED)
-def test_a_page_that_is_loaded_with_junk_works_and_can_be_left(
+def test_page_that_is_loaded_with_junk_works_and_can_be_left(
     plain_reader: Reader, address: str, storage: str, name: str, junk: str
 ) -> None:
     plain_reader.open(address, live=False)
@@ -245,7 +243,7 @@ KEEP = """([storage, name, junk]) => {
 }"""
 
 
-def test_a_browser_that_denies_every_kind_of_storage_shows_a_book_that_works(
+def test_book_works_in_a_browser_that_denies_every_kind_of_storage(
     chromium: Browser, server: StaticServer
 ) -> None:
     with visit(chromium, server, DENIED) as reader:
@@ -254,12 +252,12 @@ def test_a_browser_that_denies_every_kind_of_storage_shows_a_book_that_works(
         page.locator(".theme-toggle").click()
         assert page.locator("html").get_attribute("data-theme") == "dark"
         answer(page, 0)
-        assert chosen(page) == "0"
+        assert submitted(page) == "0"
         unsent = page.locator("form.quiz .number-answer > input").first
         unsent.fill("12")
         reader.turn_to("glossary/", live=False)
         reader.turn_to("why-image-formation/", live=False)
-        assert chosen(page) == "0"
+        assert submitted(page) == "0"
         assert unsent.input_value() == "12"
         reader.assert_no_complaints()
 
@@ -273,7 +271,7 @@ for (const [owner, name] of [[window, 'localStorage'], [window, 'sessionStorage'
 
 
 def published_policy(site: Path) -> str:
-    """Without the leave that pages at home give to tools."""
+    """The policy of published pages, without the exceptions for tools of unpublished ones."""
     pages = [page.read_bytes() for page in site.rglob("*.html")]
     found = (re.findall(r"<style>(.*?)</style>", page.decode(), re.DOTALL) for page in pages)
     styles = {style for each in found for style in each}
@@ -287,11 +285,11 @@ def published_policy(site: Path) -> str:
     return strict
 
 
-def test_the_strictest_policy_refuses_nothing_of_the_book_and_everything_else(
+def test_strictest_policy_allows_the_book_and_refuses_all_else(
     brisk_chromium: Browser, built_site: Path
 ) -> None:
-    """Sent as a header: that one holds for workers. A figure lives, its Python opens in the editor
-    with its own styles, and formulae need one face."""
+    """Sent as a header, which also applies to workers. A figure becomes live, its Python opens in
+    the styled editor, and formulae need one font file."""
     header = {"Content-Security-Policy": published_policy(built_site)}
     with serving(built_site, header) as host, visit(brisk_chromium, host, WATCH) as reader:
         page = reader.page
@@ -340,7 +338,7 @@ INTRUDE = """async () => {
 }"""
 
 
-def test_scripts_of_a_head_are_known_by_their_hashes(built_site: Path) -> None:
+def test_scripts_in_the_head_have_their_integrity_hashes(built_site: Path) -> None:
     page = built_site / "lens-distortion" / "index.html"
     head = page.read_text(encoding="utf-8").partition("</head>")[0]
     named = dict(re.findall(r'(?:src|href)="([^"]+)" integrity="([^"]+)"', head))

@@ -1,4 +1,4 @@
-"""A reader with a telephone: where a figure's parts stand, and what a finger moves."""
+"""Figures on a phone: folded parts, panels, and touch gestures."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -11,7 +11,7 @@ from support.static_server import StaticServer
 pytestmark = pytest.mark.browser
 
 
-def test_further_controls_tools_and_panels_are_folded_on_a_phone_until_they_are_wanted(
+def test_controls_tools_and_panels_are_folded_on_a_phone_until_needed(
     quiet_phone: Reader, book: Any
 ) -> None:
     phone, page = quiet_phone, quiet_phone.page
@@ -23,7 +23,7 @@ def test_further_controls_tools_and_panels_are_folded_on_a_phone_until_they_are_
         fold.tap()
         expect(folded).to_be_visible(visible=shown)
     link = page.locator("a.set[data-values*='\"shot_noise\": false']").first
-    link.evaluate("link => link.click()")  # it may stand in an answer that waits
+    link.evaluate("link => link.click()")  # it may be in a hidden answer
     expect(folded).to_be_visible()
     page.goto("about:blank")
     phone.open(f"{chapter}?figure-camera.shot_noise=false", live=False)
@@ -42,7 +42,7 @@ def test_further_controls_tools_and_panels_are_folded_on_a_phone_until_they_are_
     phone.open(chapter_of(book, "lens-distortion"), live=False)
     figure = phone.figure("lens-distortion")
     title = figure.locator(".other-panels > :last-child > .panel-title")
-    expect(title).to_have_css("opacity", "0")  # it waits while only its panel's edge is shown
+    expect(title).to_have_css("opacity", "0")  # hidden while only its panel's edge is visible
     figure.locator(".panel-dots > button").nth(1).tap()
     expect(title).to_have_css("opacity", "1")
     phone.wait_for(figure.locator(".other-panels"), SECOND_IS_SHOWN)
@@ -54,7 +54,7 @@ def test_further_controls_tools_and_panels_are_folded_on_a_phone_until_they_are_
     menu = phone.figure("aliasing").locator("select").first
     drawn = menu.evaluate("menu => getComputedStyle(menu).backgroundImage !== 'none'")
     own = menu.evaluate("menu => getComputedStyle(menu).appearance !== 'none'")
-    assert drawn or own, "a menu has an arrow in forced colours, too"
+    assert drawn or own, "a menu has an arrow in forced colours too"
 
 
 IN_ONE_ROW = """(one, other) => {
@@ -67,7 +67,7 @@ SECOND_IS_SHOWN = """(strip) => {
 }"""
 
 
-def test_panels_stay_where_a_hand_has_put_them_and_leave_room_for_controls(
+def test_panels_stay_where_they_were_scrolled_and_leave_room_for_controls(
     visitor: Reader, book: Any
 ) -> None:
     page = visitor.page
@@ -88,13 +88,13 @@ def test_panels_stay_where_a_hand_has_put_them_and_leave_room_for_controls(
     assert place["x"] > first["x"] + first["width"], "beside the first panel"
     second = figure.locator(".panel").last.element_handle()
     below = "(low, high) => low.getBoundingClientRect().top >= high.getBoundingClientRect().bottom"
-    assert slider.evaluate(below, second), "beneath the second, which is low"
+    assert slider.evaluate(below, second), "below the second panel, which is low"
 
 
-def test_the_first_handle_of_a_page_moves_once_and_says_what_a_hand_and_what_keys_do(
+def test_first_handle_of_a_page_moves_once_and_hints_at_mouse_and_keys(
     brisk_chromium: Browser, server: StaticServer
 ) -> None:
-    """After a drag it keeps the focus without its hint."""
+    """After a drag it keeps the focus, but not its hint."""
     with visit(brisk_chromium, server) as reader:
         page = reader.page
         reader.open("lens-distortion/")
@@ -137,13 +137,13 @@ def hint_is_seen(handle: Locator) -> bool:
 def live_phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
     still: dict[str, Any] = {
         "reduced_motion": "reduce"
-    }  # what moves by itself gets away from a finger
+    }  # a playing figure would move away from the finger
     with visit(brisk_chromium, site_server, viewport=PHONE, has_touch=True, **still) as someone:
         yield someone
     someone.assert_no_complaints()
 
 
-def test_a_finger_moves_a_mark_and_scrolls_the_page_elsewhere(
+def test_finger_on_a_handle_moves_it_and_elsewhere_scrolls_the_page(
     live_phone: Reader, book: Any
 ) -> None:
     phone = live_phone
@@ -162,7 +162,7 @@ def test_a_finger_moves_a_mark_and_scrolls_the_page_elsewhere(
     phone.page.wait_for_function("before => scrollY !== before", arg=scrolled)
 
 
-def test_a_finger_that_rests_on_the_ground_drags_it_and_a_quick_one_scrolls_the_page(
+def test_resting_finger_drags_a_view_and_a_quick_one_scrolls_the_page(
     live_phone: Reader, book: Any
 ) -> None:
     phone, page = live_phone, live_phone.page
@@ -187,10 +187,10 @@ SLOW_CLOCK = """() => {
   globalThis.usualTimeout = setTimeout;
   setTimeout = (then, ms, ...rest) => usualTimeout(then, 100 * ms, ...rest);
 }"""
-"""A finger is quick for the page even on the busiest machine."""
+"""Makes the finger quick for the page even on the busiest machine."""
 
 
-def test_a_finger_sketches_a_curve_that_falls(live_phone: Reader) -> None:
+def test_finger_sketches_a_falling_curve(live_phone: Reader) -> None:
     phone = live_phone
     phone.turn_to("lighting-and-reflectance/")
     form = phone.page.locator("form[data-predict]", has=phone.page.locator(".sketch"))
@@ -215,7 +215,7 @@ def scroll(phone: Reader) -> float:
 
 
 def swipe(phone: Reader, start: Place, way: Place, taken: Locator | None = None) -> None:
-    """A finger that goes down, rests until something is taken, moves in steps and goes up."""
+    """Put a finger down, rest until ``taken`` appears, move in steps, and lift it."""
     client = phone.page.context.new_cdp_session(phone.page)
 
     def touch(kind: str, *places: Place) -> None:

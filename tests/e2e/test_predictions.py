@@ -1,5 +1,5 @@
-"""A guess is made before its answer is shown, by any hand; a page that is left and come back to has
-its guesses and answers still."""
+"""Predictions: a guess comes before its answer, by mouse or keyboard; guesses and answers survive
+leaving the page."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -16,12 +16,10 @@ from support.static_server import StaticServer, serving
 pytestmark = pytest.mark.browser
 
 
-def test_a_guess_stands_beside_the_answer_until_it_is_taken_back(
-    plain_reader: Reader, book: Any
-) -> None:
+def test_guess_stands_beside_the_answer_until_it_is_reset(plain_reader: Reader, book: Any) -> None:
     page = plain_reader.page
     reset = page.locator("[data-progress-reset]")
-    form = opened(plain_reader, book, "corner-of-a-barrel")
+    form = open_prediction(plain_reader, book, "corner-of-a-barrel")
     answer = page.locator('[data-answers="corner-of-a-barrel"]')
     submit, guess = form.locator("button[type=submit]"), form.locator("input[name=guess]")
     submit.click()
@@ -41,24 +39,24 @@ def test_a_guess_stands_beside_the_answer_until_it_is_taken_back(
     assert form.locator(".explanation").count() == 0, "not taken for the mistake of −0.2"
     reset.click()
     answer.locator("[data-reveal]").click()
-    assert answer.locator(".answer-body").is_visible(), "it is shown from where it waits"
+    assert answer.locator(".answer-body").is_visible(), "it can be shown where it is hidden"
     assert form.get_attribute("data-answered") == "revealed"
     reset.click()
     form.locator("[data-reveal]").press("Enter")
     assert form.get_attribute("data-answered") == "revealed"
     assert form.locator(".guessed").count() == 0
-    told = form.locator("[role=status]")
-    assert told.get_attribute("aria-live") == "polite", "asked for, it is announced"
-    assert told.locator("> *").count() == 1, "as one"
+    status = form.locator("[role=status]")
+    assert status.get_attribute("aria-live") == "polite", "announced on request"
+    assert status.locator("> *").count() == 1, "as one"
     page.reload()
     assert form.get_attribute("data-answered") == "revealed"
-    assert told.get_attribute("aria-live") == "off", "shown again, it is not"
+    assert status.get_attribute("aria-live") == "off", "not announced after a reload"
 
-    form = opened(plain_reader, book, "sharp-again")
+    form = open_prediction(plain_reader, book, "sharp-again")
     form.locator('input[name=guess][value="0"]').check()
     form.locator("button[type=submit]").click()
     assert form.get_attribute("data-answered") == "wrong"
-    options = asked(book, "sharp-again")["options"]
+    options = prediction_of(book, "sharp-again")["options"]
     (right,) = (option["text"] for option in options if option["correct"])
     assert form.locator(".computed dd").inner_text() == right
     assert form.locator(".explanation").count() == 2
@@ -70,7 +68,7 @@ def test_a_guess_stands_beside_the_answer_until_it_is_taken_back(
 
 def test_links_to_an_experiment_wait_for_the_guess(plain_reader: Reader, book: Any) -> None:
     page = plain_reader.page
-    form = opened(plain_reader, book, "brightest-point")
+    form = open_prediction(plain_reader, book, "brightest-point")
     links = form.locator(".predict-question a.set")
     expect(links).to_have_count(2)
     expect(links.and_(page.locator("[href]"))).to_have_count(0)
@@ -81,54 +79,54 @@ def test_links_to_an_experiment_wait_for_the_guess(plain_reader: Reader, book: A
     plain_reader.turn_to("speed-and-accuracy/", live=False)
     link = page.locator('.table-wrapper a[href="#ladder-inverse-strong"]')
     link.evaluate("link => { link.closest('details').open = true; }")
-    link.click()  # to what waits for an answer
+    link.click()  # to a table that is hidden until the prediction is answered
     expect(page.locator("#predict-where-iteration-fails button").first).to_be_in_viewport()
 
 
-def test_a_sketch_is_drawn_by_pointer_or_by_arrow_keys_and_meets_the_true_curve(
+def test_sketch_is_drawn_by_mouse_or_keys_and_compared_with_the_truth(
     plain_reader: Reader, book: Any
 ) -> None:
-    form = opened(plain_reader, book, "frequency-shown")
+    form = open_prediction(plain_reader, book, "frequency-shown")
     form.locator("button[type=submit]").click()
     assert form.get_attribute("data-answered") is None, "nothing was drawn"
     assert not form.locator(".truth").is_visible()
     box = plain_reader.bring(form.locator("svg"))
     x, y, scale = box["x"], box["y"], box["width"] / 400
     plain_reader.drag((x + 52 * scale, y + 206 * scale), (x + 384 * scale, y + 32 * scale), 20)
-    assert sketched(form) == pytest.approx([1.2 * i / 8 for i in range(9)], abs=0.04)
+    assert sketch_values(form) == pytest.approx([1.2 * i / 8 for i in range(9)], abs=0.04)
     form.locator("button[type=submit]").click()
     assert form.get_attribute("data-answered") == "wrong", "it was drawn without a fold"
     assert form.locator(".truth").is_visible()
 
-    form = opened(plain_reader, book, "brightness-by-angle")
+    form = open_prediction(plain_reader, book, "brightness-by-angle")
     form.locator("input[name=guess]").first.focus()
     for press in ("End", "Tab", "ArrowUp", "Tab", "ArrowDown", "Tab", "Tab", "ArrowUp"):
         plain_reader.page.keyboard.press(press)
-    assert sketched(form) == pytest.approx([1, 0.51, 0.49, 0.5, 0.51, 0.5, 0.5, 0.5, 0.5])
+    assert sketch_values(form) == pytest.approx([1, 0.51, 0.49, 0.5, 0.51, 0.5, 0.5, 0.5, 0.5])
     assert form.locator("circle.focused").count() == 1
     form.locator("button[type=submit]").press("Enter")
     assert form.get_attribute("data-answered") == "wrong"
     numbers = re.findall(r"\d[\w.]*\b", form.locator(".feedback").inner_text())
-    assert numbers == ["90", "0.51", "0"], "the cosine of 90° is no more than rounding away from 0"
+    assert numbers == ["90", "0.51", "0"], "the cosine of 90° is 0 within rounding"
 
 
-def sketched(form: Locator) -> list[float]:
+def sketch_values(form: Locator) -> list[float]:
     return [float(point.input_value()) for point in form.locator("input[name=guess]").all()]
 
 
-def asked(book: Any, identity: str) -> Any:
+def prediction_of(book: Any, identity: str) -> Any:
     return next(item for item in book["predictions"] if item["id"] == identity)
 
 
-def opened(reader: Reader, book: Any, identity: str) -> Locator:
-    chapter = asked(book, identity)["chapter"]
+def open_prediction(reader: Reader, book: Any, identity: str) -> Locator:
+    chapter = prediction_of(book, identity)["chapter"]
     url = next(c["url"] for c in book["chapters"] if c["id"] == chapter)
     reader.open(url, live=False)
     return reader.page.locator(f'form[data-predict="{identity}"]')
 
 
 ALL_KINDS = ("why-image-formation/", "perspective-projection/")
-"""Chapters with every kind of question between them; the first has one figure."""
+"""Chapters that together have every kind of question; the first has one figure."""
 GIVE = """() => {
   for (const form of document.querySelectorAll('main form:is([data-quiz], [data-predict])')) {
     for (const input of form.querySelectorAll('input:not([type=hidden])')) {
@@ -140,14 +138,14 @@ GIVE = """() => {
     form.querySelector('[data-move=down]')?.click();
   }
 }"""
-"""An answer to each question of the page, none of them sent."""
+"""Answer each question of the page without submitting."""
 GIVEN = """() => [...document.querySelectorAll('main form:is([data-quiz], [data-predict])')]
   .map((form) => [form.id, form.dataset.answered, 'drawn' in form.dataset,
     ...[...form.querySelectorAll('input')].map(({value, checked}) => [value, checked])])"""
 
 
 @pytest.mark.parametrize("chapter", ALL_KINDS)
-def test_answers_that_are_not_sent_outlive_a_turn_of_the_page_and_a_reload(
+def test_unsubmitted_answers_survive_a_change_of_page_and_a_reload(
     plain_reader: Reader, chapter: str
 ) -> None:
     page = plain_reader.page
@@ -177,9 +175,9 @@ def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 @pytest.mark.parametrize(
     "kept",
     [True, pytest.param(False, marks=pytest.mark.deep)],
-    ids=["page kept", "page loaded anew"],
+    ids=["page kept", "page reloaded"],
 )
-def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figure_answers(
+def test_settings_answers_and_figures_survive_leaving_the_book_and_back(
     brisk_chromium: Browser,
     launch: Callable[..., Browser],
     whole_browser: Path,
@@ -189,7 +187,7 @@ def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figur
 ) -> None:
     with ExitStack() as end:
         browser = brisk_chromium
-        if kept:  # as browsers do of themselves; Playwright has them not do it
+        if kept:  # as browsers do by default, but not under Playwright
             forbidden = ["--disable-back-forward-cache"]
             options = {"executable_path": whole_browser, "ignore_default_args": forbidden}
             browser = end.enter_context(launch("--js-flags=--liftoff-only", **options))
@@ -232,11 +230,11 @@ TELL = "addEventListener('pageshow', ({persisted}) => { window.persisted = persi
 TRIES = 3
 """A browser on a busy machine may decide not to keep a page."""
 WHY_NOT = "JSON.stringify(performance.getEntriesByType('navigation')[0].notRestoredReasons)"
-"""The browser's reasons where it has not kept the page."""
+"""The browser's reasons for not keeping the page."""
 
 
 def requests_under_way(page: Page) -> set[Request]:
-    """Requests that are not answered, at any later moment."""
+    """The requests without a reply so far; the set is updated."""
     under_way: set[Request] = set()
     page.on("request", lambda request: under_way.add(request))
     page.on("requestfinished", lambda request: under_way.discard(request))

@@ -1,4 +1,4 @@
-"""The Python of a figure, opened, changed and run for that figure alone; or copied as a script."""
+"""The Python of a figure: opened, edited and run for that figure alone, or copied as a script."""
 
 import ast
 import json
@@ -18,7 +18,7 @@ from simulations.script import script
 pytestmark = pytest.mark.browser
 
 CHAPTER = "lens-distortion/"
-"""Has two figures of one scene with stages."""
+"""A chapter with two figures of one scene with stages."""
 NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb_table(1 - photo.linear))\n"
 LIMIT = """async (limits) => {
   const {EDITED} = (await customElements.whenDefined('simulation-figure')).inside;
@@ -64,13 +64,12 @@ class Workshop:
         return self.reader.shown(self.figure)
 
     def move(self, key: str) -> Any:
-        """What the figure shows after a key on its first slider."""
+        """The figure's content after a key press on its first slider."""
         self.reader.press(self.figure, key)
         return self.shown()
 
     def drawn(self) -> Any:
-        """What the figure shows once the browser has drawn it, which may be a code off the
-        page's."""
+        """The figure's content drawn by the browser, which may differ from the page's by a code."""
         self.reader.bring(self.figure)
         self.move("ArrowRight")
         return self.move("ArrowLeft")
@@ -89,10 +88,10 @@ def workshops(visitor: Reader) -> tuple[Workshop, Workshop]:
     return Workshop(visitor, "figure-lens-distortion"), Workshop(visitor, "figure-two-coefficients")
 
 
-def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
+def test_edited_code_draws_only_its_own_figure_until_it_is_put_back(
     workshops: tuple[Workshop, Workshop],
 ) -> None:
-    """The first edit is made by keyboard alone."""
+    """The first edit is made only by keyboard."""
     edited, other = workshops
     page, figure = edited.page, edited.figure
     others, book = other.drawn(), edited.drawn()
@@ -142,11 +141,11 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     assert page.evaluate(focused, ".open-python")
 
 
-def test_mistakes_point_at_their_line_and_an_edit_survives_a_reload_as_long_as_it_fits(
+def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
     workshops: tuple[Workshop, Workshop],
 ) -> None:
-    """The editor opens on the formula whose change changes the figure; mistakes leave it as it
-    is."""
+    """The editor opens at a formula that the figure depends on; mistakes leave the figure
+    unchanged, and an edit is offered, but not run, once the book's code has changed."""
     shop, other = workshops
     page, figure = shop.page, shop.figure
     book = shop.shown()
@@ -226,7 +225,7 @@ THE_BOOK_CHANGES = """() => {
 }"""
 
 
-def test_code_that_does_not_end_is_stopped_by_the_clock_or_by_hand_and_the_figure_is_the_book_s(
+def test_endless_code_is_stopped_and_the_figure_runs_the_books_code(
     workshops: tuple[Workshop, Workshop],
 ) -> None:
     shop, other = workshops
@@ -270,7 +269,7 @@ def test_code_that_does_not_end_is_stopped_by_the_clock_or_by_hand_and_the_figur
     page.evaluate(LIMIT, usual)
 
 
-def test_without_the_editor_the_python_can_be_read(workshops: tuple[Workshop, Workshop]) -> None:
+def test_python_can_be_read_without_the_editor(workshops: tuple[Workshop, Workshop]) -> None:
     shop = workshops[0]
     button = shop.figure.locator(".open-python")
     button.evaluate("(button) => delete button.dataset.editor")
@@ -283,7 +282,7 @@ FIGURES = """() => [...document.querySelectorAll('simulation-figure')].map((figu
   id: figure.closest('figure').id,
   scene: figure.dataset.simulation,
   schema: JSON.parse(figure.querySelector('script.schema').textContent),
-  says: [...figure.querySelectorAll('.readout')].map((box) => [
+  readouts: [...figure.querySelectorAll('.readout')].map((box) => [
     box.querySelector('.readout-label').textContent,
     box.querySelector('output').textContent,
     box.querySelector('.unit').textContent,
@@ -298,9 +297,9 @@ for file in sys.argv[2:]:
 """
 
 
-def printed(folder: Path, scripts: list[str]) -> list[list[str]]:
-    """The lines that each script prints, in a folder that has nothing of the book, in one order: a
-    page shows first the readouts that are not folded."""
+def lines_printed_by(folder: Path, scripts: list[str]) -> list[list[str]]:
+    """The sorted lines that each script prints, run in a folder outside the book; sorted, as a page
+    shows folded readouts last."""
     files = [folder / f"{number}.py" for number in range(len(scripts))]
     for file, text in zip(files, scripts, strict=True):
         file.write_text(text, encoding="utf-8")
@@ -309,12 +308,12 @@ def printed(folder: Path, scripts: list[str]) -> list[list[str]]:
     return [sorted(text.splitlines()) for text in done.stdout.split("\f")[:-1]]
 
 
-def says(figure: Any) -> list[str]:
-    return sorted(f"{label}: {text} {unit}".rstrip() for label, text, unit in figure["says"])
+def lines_of(figure: Any) -> list[str]:
+    return sorted(f"{label}: {text} {unit}".rstrip() for label, text, unit in figure["readouts"])
 
 
 @pytest.mark.deep
-def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
+def test_script_of_every_figure_prints_the_numbers_of_its_page(
     plain_reader: Reader, book: Any, tmp_path: Path
 ) -> None:
     figures: list[Any] = []
@@ -326,10 +325,10 @@ def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
         schema = figure["schema"]
         values = json.dumps(schema["values"])
         scripts.append(script(figure["scene"], values, schema["default_tier"], "[]"))
-    assert printed(tmp_path, scripts) == [says(figure) for figure in figures]
+    assert lines_printed_by(tmp_path, scripts) == [lines_of(figure) for figure in figures]
 
 
-def test_a_script_begins_with_its_notes_and_is_the_same_otherwise() -> None:
+def test_script_begins_with_its_notes_and_is_otherwise_the_same() -> None:
     plain, noted = (
         ast.parse(script("camera", "{}", "", json.dumps(["Camera.", *more])))
         for more in ([], ["It ran other Python."])
@@ -339,7 +338,7 @@ def test_a_script_begins_with_its_notes_and_is_the_same_otherwise() -> None:
     assert [ast.dump(part) for part in plain.body[1:]] == [ast.dump(p) for p in noted.body[1:]]
 
 
-def test_the_script_that_is_copied_prints_what_the_figure_shows_now(
+def test_copied_script_prints_the_current_numbers_of_the_figure(
     visitor: Reader, tmp_path: Path
 ) -> None:
     page, place = visitor.page, "figure-lens-distortion"
@@ -351,4 +350,4 @@ def test_the_script_that_is_copied_prints_what_the_figure_shows_now(
     figure.locator(".tools-said", has_text="copied").wait_for()
     shown = next(each for each in page.evaluate(FIGURES) if each["id"] == place)
     copied = str(page.evaluate("navigator.clipboard.readText()"))
-    assert printed(tmp_path, [copied]) == [says(shown)]
+    assert lines_printed_by(tmp_path, [copied]) == [lines_of(shown)]

@@ -1,5 +1,5 @@
-"""Python starts in the head of the page, from a snapshot or plainly, with no more files than the
-page needs, and for sparing readers only when asked."""
+"""The start of Python: in the head of the page, with or without a snapshot, with only the files
+that the page needs, and for readers who save data only on request."""
 
 import json
 import re
@@ -21,22 +21,22 @@ pytestmark = pytest.mark.browser
 CHAPTER, SCENE, CONTROL = "lens-distortion/", "lens-distortion", "k1"
 SNAPSHOT = "snapshot.wasm"
 BUILT_ON = ("python", "numpy", "core")
-"""The parts that a snapshot holds, so that they can come later."""
+"""The parts that a snapshot contains, so that they can arrive later."""
 
 
 @pytest.fixture
 def chapters(book: Any) -> list[Any]:
-    """One with one figure, the next, which has some too, and one that is far from them."""
+    """A chapter with one figure, the next, which also has figures, and one farther away."""
     few = [len(chapter["simulations"]) for chapter in book["chapters"]]
     first = next(at for at in range(len(few)) if few[at] == 1 and few[at + 1])
     far = next(at for at in range(first + 3, len(few)) if few[at])
     return [book["chapters"][at] for at in (first, first + 1, far)]
 
 
-def test_python_starts_in_the_head_takes_the_page_s_frame_and_imports_the_next_chapter_s_scenes(
+def test_python_starts_in_the_head_with_the_pages_frame_and_prepares_more(
     brisk_chromium: Browser, server: StaticServer, chapters: list[Any]
 ) -> None:
-    """A page that was drawn by other sources than Python has is drawn anew."""
+    """It imports the next chapter's scenes, and redraws a page built from other sources."""
     held: list[Route] = []
     with visit(brisk_chromium, server, WATCH) as reader:
         page, (scene,) = reader.page, chapters[0]["simulations"]
@@ -69,22 +69,22 @@ def test_python_starts_in_the_head_takes_the_page_s_frame_and_imports_the_next_c
 
 
 WATCH = """window.calls = [];
-const tell = (...what) => window.calls.push(what.join(' '));
+const record = (...what) => window.calls.push(what.join(' '));
 globalThis.Worker = class extends Worker {
   constructor(...given) {
     super(...given);
-    tell('worker', document.body ? 'late' : 'in the head');
+    record('worker', document.body ? 'late' : 'in the head');
   }
   postMessage(message, ...given) {
     const figure = document.querySelector(`[data-simulation="${message.scene}"]`);
-    tell(message.call, message.scene ?? '', figure?.dataset.state ?? '');
+    record(message.call, message.scene ?? '', figure?.dataset.state ?? '');
     super.postMessage(message, ...given);
   }
 };"""
-"""Note when workers begin and what they are asked, with the state of that figure, in order."""
+"""Record workers and their calls in order, with the state of the figure of each call."""
 
 
-def test_a_page_that_is_pointed_at_is_fetched_once_and_others_are_not(
+def test_linked_page_is_fetched_once_on_hover_or_focus(
     plain_reader: Reader, chapters: list[Any]
 ) -> None:
     page, wanted = plain_reader.page, plain_reader.root + chapters[1]["url"]
@@ -114,7 +114,7 @@ OFFER = """(address) => {
 }"""
 
 
-def test_frames_drawn_beforehand_follow_a_slider_until_the_live_one_takes_their_place(
+def test_prerendered_frames_follow_a_slider_until_python_is_live(
     reader: Reader, built_site: Path, book: Any
 ) -> None:
     held: list[Route] = []
@@ -139,7 +139,7 @@ def test_frames_drawn_beforehand_follow_a_slider_until_the_live_one_takes_their_
     assert reader.shown(figure) != early, "not the frame of just this value"
     assert figure.locator(".early-mark").count() == 0
     assert reader.bring(figure) == box
-    # A slider that was moved before any script ran.
+    # A slider moved before any script ran.
     page.context.route("**/runtime.json", lambda _: None)
     page.add_init_script(MOVED)
     reader.open(chapter_of(book, SCENE), live=False)
@@ -165,14 +165,14 @@ globalThis.matchMedia = (text) => text.includes('reduced-data') ? {matches: true
 SLOW_LINK = "Object.defineProperty(navigator, 'connection', {value: {effectiveType: '2g'}});"
 LITTLE_MEMORY = "Object.defineProperty(navigator, 'deviceMemory', {value: 0.5});"
 LOST = "addEventListener('pagehide', (event) => event.stopImmediatePropagation());"
-"""A tab that crashes gets no event at its end."""
+"""A tab that crashes gets no `pagehide` event."""
 
 
 @contextmanager
-def sparing(
+def data_saving_visit(
     chromium: Browser, server: StaticServer, script: str
 ) -> Iterator[tuple[Reader, Locator, list[str]]]:
-    """A reader in such a browser, the figure, and the files of Python that are fetched."""
+    """A reader whose browser runs ``script``, the figure, and the files of Python requested."""
     with visit(chromium, server, script) as someone:
         python = someone.note_requests("/runtime.json", "/worker.js", ".wasm", ".zip")
         yield someone, someone.figure(SCENE), python
@@ -186,10 +186,10 @@ def sparing(
         *(pytest.param(x, marks=pytest.mark.deep) for x in (SAVES_DATA, REDUCED, SLOW_LINK)),
     ],
 )
-def test_a_sparing_reader_s_figure_waits_keeps_its_settings_and_starts_when_asked(
+def test_figure_of_a_data_saving_reader_starts_on_request_with_settings(
     brisk_chromium: Browser, server: StaticServer, book: Any, script: str
 ) -> None:
-    with sparing(brisk_chromium, server, script) as (reader, figure, python):
+    with data_saving_visit(brisk_chromium, server, script) as (reader, figure, python):
         page = reader.page
         reader.open(chapter_of(book, SCENE), live=False)
         begin = figure.get_by_role("button", name="Start the figures")
@@ -197,7 +197,7 @@ def test_a_sparing_reader_s_figure_waits_keeps_its_settings_and_starts_when_aske
         slider = figure.locator(f"input[name={CONTROL}]")
         slider.press("ArrowRight")
         chosen = slider.input_value()
-        figure.locator(".early-mark").wait_for()  # a frame drawn beforehand
+        figure.locator(".early-mark").wait_for()  # a prerendered frame
         page.wait_for_load_state("networkidle")
         expect(figure).to_have_attribute("data-state", "waiting")
         assert not python
@@ -207,18 +207,22 @@ def test_a_sparing_reader_s_figure_waits_keeps_its_settings_and_starts_when_aske
         assert not begin.is_visible()
         assert slider.input_value() == chosen
         assert figure.locator(".early-mark").count() == 0
-        reader.turn_to(book["chapters"][0]["url"])  # the rest of the visit is as any other
+        reader.turn_to(book["chapters"][0]["url"])  # the rest of the visit is as usual
         page.reload()
         begun = re.compile("starting|live")
         expect(page.locator("simulation-figure").first).to_have_attribute("data-state", begun)
 
 
-def test_after_two_lost_tabs_the_third_start_waits_to_be_asked(
+def test_figures_wait_for_a_request_after_two_crashed_tabs(
     brisk_chromium: Browser, server: StaticServer, book: Any
 ) -> None:
-    """Tabs that are left before Python has started are not lost."""
+    """Tabs that are closed before Python has started do not count as crashed."""
     for script, expected in ((LOST, ["starting", "starting", "waiting"]), ("", ["starting"] * 3)):
-        with sparing(brisk_chromium, server, SILENT_WORKER + script) as (reader, figure, _):
+        with data_saving_visit(brisk_chromium, server, SILENT_WORKER + script) as (
+            reader,
+            figure,
+            _,
+        ):
             states = []
             for _ in range(3):
                 reader.open(chapter_of(book, SCENE), live=False)
@@ -230,24 +234,24 @@ def test_after_two_lost_tabs_the_third_start_waits_to_be_asked(
 
 
 def open_live(reader: Reader) -> None:
-    """Open the chapter, until its first figure is live; others may lack what they need."""
+    """Open the chapter until its first figure is live; other figures may lack files."""
     reader.open(CHAPTER, live=False)
     expect(reader.figure(SCENE)).to_have_attribute("data-state", "live")
 
 
-def moved(reader: Reader) -> Any:
-    """What the figure shows after a key on its first slider."""
+def content_after_a_move(reader: Reader) -> Any:
+    """The figure's content after a key press on its first slider."""
     figure = reader.figure(SCENE)
     reader.press(figure, "ArrowRight")
     reader.settle(figure)
     return reader.shown(figure)
 
 
-def test_figures_live_from_the_snapshot_before_its_parts_come_and_plainly_from_a_damaged_one(
+def test_figures_start_from_the_snapshot_or_without_a_damaged_one(
     brisk_chromium: Browser, uncached: StaticServer, built_site: Path
 ) -> None:
-    """The snapshot comes late, by the type of a file that a host does not know. On iPhones CPython
-    has no trampoline."""
+    """Before the snapshot's parts arrive, even if it is late and has a wrong media type. On iPhones
+    CPython has no trampoline."""
     late = {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
     uncached.faults = {
         f"/{SNAPSHOT}": Fault(late_s=1, media_type="application/octet-stream"),
@@ -263,17 +267,17 @@ def test_figures_live_from_the_snapshot_before_its_parts_come_and_plainly_from_a
         assert len({*fetched}) == len(fetched), "nothing twice"
     uncached.faults = {}
     with visit(brisk_chromium, uncached, FRUGAL, user_agent=IPHONE) as reader:
-        said: list[str] = []
-        reader.page.on("console", lambda message: said.append(message.text))
+        messages: list[str] = []
+        reader.page.on("console", lambda message: messages.append(message.text))
         open_live(reader)
-        assert not said, "it would say that it starts plainly"
-        after_snapshot = moved(reader)
+        assert not messages, "a start without the snapshot would be logged"
+        after_snapshot = content_after_a_move(reader)
     uncached.faults = {f"/{SNAPSHOT}": FAULTS["changed"]}
     with visit(brisk_chromium, uncached, FRUGAL) as reader:
         fetched = reader.note_parts()
         open_live(reader)
         assert {*BUILT_ON} <= {*fetched}
-        assert moved(reader) == after_snapshot
+        assert content_after_a_move(reader) == after_snapshot
 
 
 IPHONE = "Mozilla/5.0 (iPhone; CPU iPhone OS 18_5 like Mac OS X) AppleWebKit/605.1.15"
@@ -281,7 +285,7 @@ IPHONE = "Mozilla/5.0 (iPhone; CPU iPhone OS 18_5 like Mac OS X) AppleWebKit/605
 
 @pytest.fixture
 def table(server: StaticServer, built_site: Path) -> Any:
-    """``runtime.json`` without the snapshot, served so, with pages that do not know its hash."""
+    """``runtime.json`` served without the snapshot, with pages that do not have its hash."""
     (file,) = built_site.glob("runtime/*/runtime.json")
     read = json.loads(file.read_text(encoding="utf-8"))
     integrity = {name: value for name, value in read["integrity"].items() if name != SNAPSHOT}
@@ -293,7 +297,7 @@ def table(server: StaticServer, built_site: Path) -> Any:
 
 
 def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tuple[str, set[str]]:
-    """Address of a chapter, and the parts its scenes import: those of libraries as ``wanted``."""
+    """Address and imported parts of a chapter whose library parts are as ``wanted``."""
     for chapter in book["chapters"]:
         parts = {part for scene in chapter["simulations"] for part in table["scenes"][scene]}
         if chapter["simulations"] and wanted(of_libraries(parts)):
@@ -302,14 +306,14 @@ def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tupl
 
 
 def of_libraries(parts: Iterable[str]) -> set[str]:
-    """Parts that hold nothing of ours."""
+    """Parts that contain only libraries."""
     return {part for part in parts if not part.startswith(("scene-", "ladder-"))}
 
 
 @pytest.mark.parametrize(
     "ladders", [("shading",), pytest.param((*LADDER_MODULES,), marks=pytest.mark.deep)]
 )
-def test_pages_fetch_what_their_scenes_import_and_ladders_and_later_pages_what_is_missing(
+def test_pages_fetch_only_the_parts_that_scenes_and_ladders_import(
     brisk_chromium: Browser, server: StaticServer, book: Any, table: Any, ladders: tuple[str, ...]
 ) -> None:
     first, none = a_chapter(book, table, lambda parts: not parts)
@@ -339,10 +343,10 @@ CALL = """async ([name, payload]) => {
 }"""
 
 
-def test_a_part_that_cannot_be_had_stops_its_figures_and_is_asked_for_again_at_the_next_try(
+def test_unavailable_part_stops_its_figures_and_is_fetched_on_retry(
     reader: Reader, server: StaticServer, book: Any, table: Any
 ) -> None:
-    """The table lists none: each is fetched when Python imports it."""
+    """The table lists no parts, so that each is fetched when Python imports it."""
     reader.page.add_init_script(FRUGAL)
     fetched = reader.note_parts()
     address, parts = a_chapter(book, table, bool)
@@ -368,6 +372,6 @@ def test_a_part_that_cannot_be_had_stops_its_figures_and_is_asked_for_again_at_t
     reader.wait_live()
     for figure in reader.page.locator("simulation-figure").all():
         figure.locator("input[type=range]").first.press("ArrowRight")
-        reader.settle(figure)  # what only frames import comes after the page's own
+        reader.settle(figure)  # parts that only later frames import
     assert {*fetched} == {*BUILT_ON} | parts
     reader.complaints.clear()  # the browser's own words about the missing file

@@ -71,7 +71,7 @@ def test_choices_and_numbers_are_asked_for_and_given_by_keyboard(
     assert verdict(form) == "correct"
 
 
-def test_an_order_is_made_by_keyboard_and_by_dragging(plain_reader: Reader, book: Any) -> None:
+def test_order_is_made_by_keyboard_and_by_dragging(plain_reader: Reader, book: Any) -> None:
     page = plain_reader.page
     for quiz in questions(book, "order"):
         form = open_question(plain_reader, book, quiz)
@@ -130,7 +130,7 @@ def check(form: Locator, judged: str) -> None:
     expect(form).to_have_attribute("data-answered", judged)
 
 
-def test_a_figure_is_judged_as_it_is_set_and_without_python_not_at_all(
+def test_figure_is_judged_as_it_is_set_and_without_python_not_at_all(
     visitor: Reader, plain_reader: Reader, book: Any
 ) -> None:
     quiz = next(q for q in questions(book, "figure") if q["id"] == "corner-twenty-inwards")

@@ -1,5 +1,4 @@
-"""A reader finds the way: next pages, sections, other languages, keys, themes, terms, citations,
-search."""
+"""Navigation: pages, sections, languages, keys, themes, terms, citations and search."""
 
 import re
 import tomllib
@@ -20,7 +19,7 @@ SECTIONS = "lens-distortion/"
 """A chapter with many sections."""
 
 
-def test_links_arrive_at_their_sections_and_back_and_reloads_return_to_the_place_that_was_left(
+def test_links_lead_to_sections_and_going_back_restores_the_place(
     plain_reader: Reader, book: Any
 ) -> None:
     page = plain_reader.page
@@ -95,7 +94,7 @@ def test_another_language_keeps_section_figures_interpreter_and_answers(visitor:
     assert page.locator(f".other-language[href$='#{section}']").inner_text() == "Deutsch"
     page.locator(".other-language").first.click()
     page.wait_for_function("document.documentElement.lang === 'de'")
-    dialog = opened(visitor)
+    dialog = open_search(visitor)
     for words, address in (("Farbtupfer", "/de/why-image-formation/"), ("vignetting", "/lens-")):
         dialog.locator("input").fill(words)
         found = re.compile(re.escape(address))
@@ -104,7 +103,7 @@ def test_another_language_keeps_section_figures_interpreter_and_answers(visitor:
 
 
 @pytest.mark.parametrize(("system", "pressed"), [("light", "dark"), ("dark", "light")])
-def test_the_first_press_of_the_theme_button_changes_what_is_seen_and_is_remembered(
+def test_first_press_of_the_theme_button_changes_the_theme_for_good(
     plain_reader: Reader, system: Literal["light", "dark"], pressed: str
 ) -> None:
     page = plain_reader.page
@@ -119,7 +118,7 @@ def test_the_first_press_of_the_theme_button_changes_what_is_seen_and_is_remembe
     assert page.locator("html").get_attribute("data-theme") == pressed
 
 
-def test_the_header_stays_slim_leaves_on_a_phone_and_shows_what_is_read(
+def test_header_stays_slim_hides_on_a_phone_and_shows_progress(
     plain_reader: Reader,
 ) -> None:
     page = plain_reader.page
@@ -166,9 +165,7 @@ def test_the_header_stays_slim_leaves_on_a_phone_and_shows_what_is_read(
     page.wait_for_function(f"{read} === 1")
 
 
-def test_keys_turn_the_page_can_be_turned_off_and_are_letters_where_one_types(
-    visitor: Reader, book: Any
-) -> None:
+def test_keys_turn_pages_unless_turned_off_or_typed_in_a_field(visitor: Reader, book: Any) -> None:
     page, chapters, keyboard = visitor.page, book["chapters"], visitor.page.keyboard
     visitor.turn_to(chapters[9]["url"], live=False)
     for key, number in (("]", 10), ("[", 9)):
@@ -197,8 +194,8 @@ def test_keys_turn_the_page_can_be_turned_off_and_are_letters_where_one_types(
     assert page.url == visitor.root + url
 
 
-def test_a_term_shows_its_definition_and_leads_to_the_glossary(plain_reader: Reader) -> None:
-    """Use mouse, focus, and a tap; a second tap follows the link."""
+def test_term_shows_its_definition_and_leads_to_the_glossary(plain_reader: Reader) -> None:
+    """On hover, focus and tap; a second tap follows the link."""
     page = plain_reader.page
     plain_reader.open("full-camera-model/", live=False)
     mark = page.locator("#term-circle-of-confusion")
@@ -208,7 +205,7 @@ def test_a_term_shows_its_definition_and_leads_to_the_glossary(plain_reader: Rea
     expect(definition).to_be_visible()
     expect(definition).to_be_in_viewport(ratio=1)
     definition.hover()
-    page.wait_for_timeout(400)  # longer than it stays without the pointer
+    page.wait_for_timeout(400)  # longer than it stays after the pointer has left
     expect(definition).to_be_visible()
     page.mouse.move(2, 2)
     expect(definition).to_be_hidden()
@@ -229,8 +226,8 @@ TAP = """mark => mark.dispatchEvent(new PointerEvent('click',
   {pointerType: 'touch', bubbles: true, cancelable: true}))"""
 
 
-def test_folds_and_filters_of_chapters_open_and_find(plain_reader: Reader) -> None:
-    """What a chapter needs, the docstring of a listing, the table of hard cases."""
+def test_folds_open_and_the_filter_finds_hard_cases(plain_reader: Reader) -> None:
+    """Prerequisites of a chapter, the docstring of a listing, and the table of hard cases."""
     page = plain_reader.page
     plain_reader.open("lens-distortion/", live=False)
     facts = page.locator(".chapter-facts")
@@ -271,8 +268,8 @@ def read_toml(name: str) -> dict[str, Any]:
 
 
 def terms() -> Iterator[tuple[str, str]]:
-    """Words, and the address of the section that explains them: questions, what readers ask for,
-    and every name of a term of the glossary."""
+    """Search words and the address of the section that explains them: the listed questions, the
+    book's search phrases, and every name of a glossary term."""
     listed = (ROOT / "tests" / "fixtures" / "search_terms.txt").read_text(encoding="utf-8")
     for line in listed.splitlines():
         if line and not line.startswith("#"):
@@ -287,7 +284,7 @@ def terms() -> Iterator[tuple[str, str]]:
             yield name, f"{chapter}/{mark}{section}"
 
 
-def opened(reader: Reader) -> Locator:
+def open_search(reader: Reader) -> Locator:
     """The search dialog, opened by its key."""
     reader.page.keyboard.press("/")
     dialog = reader.page.locator("dialog.search")
@@ -305,8 +302,8 @@ def first_hit(reader: Reader, dialog: Locator, words: str) -> str:
 
 
 def test_each_term_is_found_first_where_it_is_explained(visitor: Reader) -> None:
-    """Nothing more is fetched for it once the index is there."""
-    dialog = opened(visitor)
+    """No further request is made once the index is loaded."""
+    dialog = open_search(visitor)
     first_hit(visitor, dialog, "lens")
     requests = visitor.note_requests()
     wanted = dict(terms())
@@ -330,7 +327,7 @@ FIRST_HITS = """async (dialog, terms) => {
 }"""
 
 
-def test_results_are_marked_chosen_by_keyboard_and_near_where_a_word_is_misspelt(
+def test_results_are_marked_chosen_by_keyboard_and_tolerate_misspelling(
     visitor: Reader,
 ) -> None:
     button, keyboard = visitor.page.locator("button[data-search]"), visitor.page.keyboard
@@ -347,7 +344,7 @@ def test_results_are_marked_chosen_by_keyboard_and_near_where_a_word_is_misspelt
     assert first_hit(visitor, dialog, "vingetting") == first_hit(visitor, dialog, "vignetting")
     field.fill("vingetting")
     expect(dialog.get_by_role("status")).to_contain_text("Similar")
-    field.fill("banana")  # which is no balance
+    field.fill("banana")  # not similar enough to "balance"
     expect(dialog.get_by_role("status")).to_contain_text("Nothing found")
     expect(dialog.locator(".search-nothing")).to_be_visible()
     assert hits.count() == 0
@@ -355,7 +352,7 @@ def test_results_are_marked_chosen_by_keyboard_and_near_where_a_word_is_misspelt
     expect(dialog).to_be_hidden()
     expect(button).to_be_focused()
 
-    opened(visitor)
+    open_search(visitor)
     first_hit(visitor, dialog, "quaternion")
     for key, focused in (("ArrowDown", 0), ("ArrowDown", 1), ("ArrowUp", 0)):
         keyboard.press(key)
@@ -363,7 +360,7 @@ def test_results_are_marked_chosen_by_keyboard_and_near_where_a_word_is_misspelt
     keyboard.press("ArrowUp")
     expect(field).to_be_focused()
     keyboard.press("ArrowDown")
-    keyboard.type("s")  # goes to the words, wherever the reader is
+    keyboard.type("s")  # typing continues the search from any result
     expect(field).to_have_value("quaternions")
     expect(field).to_be_focused()
     wanted = first_hit(visitor, dialog, "gimbal lock")
@@ -377,7 +374,7 @@ def test_results_are_marked_chosen_by_keyboard_and_near_where_a_word_is_misspelt
     visitor.wait_for(heading, below)
 
 
-def test_the_index_is_fetched_by_a_hand_near_the_button_and_again_where_it_did_not_arrive(
+def test_search_index_is_fetched_on_hover_and_again_after_a_failure(
     plain_reader: Reader, server: StaticServer
 ) -> None:
     page = plain_reader.page
@@ -389,7 +386,7 @@ def test_the_index_is_fetched_by_a_hand_near_the_button_and_again_where_it_did_n
     assert not [url for url in requests if "/search/" in url]
     with page.expect_request("**/search/index.json"):
         page.locator("button[data-search]").hover()
-    dialog = opened(plain_reader)
+    dialog = open_search(plain_reader)
     again = dialog.get_by_role("button", name="Try again")
     expect(again).to_be_visible()
     server.damaged.clear()

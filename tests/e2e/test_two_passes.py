@@ -1,4 +1,4 @@
-"""A first pass through a chapter, and what is deeper: folded, until something asks for it."""
+"""The first pass through a chapter: deeper sections are folded until they are needed."""
 
 from collections.abc import Iterator
 
@@ -25,9 +25,10 @@ def fold_of(reader: Reader, inside: str) -> Locator:
     return reader.page.locator("details.deeper", has=reader.page.locator(f"#{inside}"))
 
 
-def test_a_figure_of_a_deeper_section_starts_when_that_is_opened_and_a_reload_keeps_it_open(
+def test_figure_of_a_deeper_section_starts_once_it_is_opened(
     newcomer: Reader,
 ) -> None:
+    """A reload keeps the section open."""
     newcomer.open(CHAPTER, live=False)
     unfolded = newcomer.page.locator("#figure-few-drops simulation-figure")
     expect(unfolded).to_have_attribute("data-state", "live")
@@ -45,7 +46,7 @@ def test_a_figure_of_a_deeper_section_starts_when_that_is_opened_and_a_reload_ke
     assert newcomer.page.locator(SHUT).count() > 1
 
 
-def test_whatever_leads_to_a_place_in_a_deeper_section_opens_it(newcomer: Reader) -> None:
+def test_deeper_section_opens_for_any_link_to_a_place_in_it(newcomer: Reader) -> None:
     page, question = newcomer.page, "quiz-a-leaning-post"
     asked = page.locator(f"#{question}")
     newcomer.open(f"{CHAPTER}#{question}", live=False)
@@ -71,7 +72,7 @@ def test_whatever_leads_to_a_place_in_a_deeper_section_opens_it(newcomer: Reader
     expect(page.locator("#table-adaptation")).to_be_visible()
 
 
-def test_the_choice_of_everything_is_kept(newcomer: Reader) -> None:
+def test_choice_to_read_everything_is_stored(newcomer: Reader) -> None:
     page = newcomer.page
     newcomer.open(CHAPTER, live=False)
     everything, first_pass = (

@@ -1,5 +1,5 @@
-"""A reader goes through the whole book by its links to the next page: every chapter has its
-figures, which come alive in place, and its questions, which judge every answer."""
+"""A walk through the whole book by its links to the next page: every chapter has its figures, which
+become live in place, and its questions, which judge every answer."""
 
 from typing import Any
 
@@ -22,13 +22,13 @@ HOLD = """(() => {
   };
   window.hold();
 })()"""
-"""Messages to the interpreter wait, so that the page can be looked at as it was served."""
+"""Hold back messages to the interpreter, so that the page can be examined as it was served."""
 ARRIVED = """async () => {
   await document.fonts.ready;
   for (let left = 2; left; left -= 1) await new Promise(requestAnimationFrame);
   window.shifts.length = 0;
 }"""
-"""The page is there with its faces, which move some lines of text on a slow line."""
+"""Wait for the page and its fonts, which move some lines on a slow connection."""
 CATALOGUED = """() => [
   document.querySelector('h1').innerText.trim(),
   [...new Set([...document.querySelectorAll('simulation-figure')]
@@ -48,10 +48,8 @@ HEAD = """() => [...document.head.querySelectorAll(
   .map((part) => `${part.rel ?? part.name} ${part.href ?? part.content}`).sort()"""
 
 
-def test_each_chapter_of_the_book_is_whole_alive_and_judges_its_answers(
-    reader: Reader, book: Any
-) -> None:
-    """Answers are there still at the next visit, and heads turn with their pages."""
+def test_each_chapter_is_complete_live_and_judges_its_answers(reader: Reader, book: Any) -> None:
+    """Answers are still stored after a reload, and each page has its own head."""
     page, chapters = reader.page, book["chapters"]
     page.add_init_script(HOLD)
     page.emulate_media(reduced_motion="reduce")  # one plays as it comes into view
@@ -87,7 +85,7 @@ def test_each_chapter_of_the_book_is_whole_alive_and_judges_its_answers(
 
 
 def assert_alive_in_place(reader: Reader) -> None:
-    """Its figures are what was served once they live, and nothing has moved."""
+    """Assert that live figures equal the served ones and that nothing has moved."""
     page = reader.page
     page.evaluate(ARRIVED)
     still = page.evaluate(STILLS)
@@ -154,8 +152,8 @@ CHOOSE_EACH = """(form, choices) => choices.map((chosen) => {
     box.checked = chosen.includes(Number(box.value));
   }
   form.requestSubmit();
-  const told = [...form.querySelectorAll('[role=status] .explanation')];
-  return [form.dataset.answered, told.map((one) => one.innerText)];
+  const explanations = [...form.querySelectorAll('[role=status] .explanation')];
+  return [form.dataset.answered, explanations.map((one) => one.innerText)];
 })"""
 """The verdict on each choice, and its explanations."""
 TYPE_EACH = """(form, values) => values.map((value) => {
@@ -180,7 +178,7 @@ GUESS = """(form, right) => {
   form.requestSubmit();
   return [before, form.dataset.answered, answers.length - seen()];
 }"""
-"""Answers that are seen before the guess, the verdict, and answers that are not seen after it."""
+"""Numbers of answers visible before the guess and hidden after it, and the verdict between them."""
 KEPT = """() => [...document.querySelectorAll('form.quiz, form[data-predict]')]
   .filter((form) => form.querySelector('input:not([data-move])') && !form.dataset.figure
     && !form.querySelector('.order-item'))

@@ -1,4 +1,4 @@
-"""Faults of workers and scenes: a figure says what it waits for or what went wrong, and goes on."""
+"""Faults of workers and scenes: a figure reports its waiting or its error, and recovers."""
 
 import json
 from collections.abc import Iterator
@@ -15,16 +15,16 @@ pytestmark = pytest.mark.browser
 
 CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
 WITHOUT_SNAPSHOT = {"/snapshot.wasm": Fault(status=404)}
-"""Python starts plainly, and needs all else."""
+"""Python starts without a snapshot, and needs all other files."""
 
 HARM = """async (edits) => {
   const {inside} = await customElements.whenDefined('simulation-figure');
   const runtime = inside.sharedRuntime();
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
-  await runtime.call('forget', {figure: ''}, () => -1); // nothing else is on its way to the harm
+  await runtime.call('forget', {figure: ''}, () => -1); // no other call precedes the harm
   return (await runtime.call('render_edited', frame)).problem;
 }"""
-"""Run edited code in the interpreter of the book: the page itself never does."""
+"""Run edited code in the book's interpreter, which the page itself never does."""
 CODE = """def _encoded(photo):
     return to_rgba8(encode_srgb_table(photo.linear))
 
@@ -37,11 +37,11 @@ def next_frame(*given):
 
 book._request = next_frame
 """
-"""The next request to the book's interpreter meets with a harm."""
+"""Code that harms the next request to the book's interpreter."""
 OF_A_SMALL_MOVE = """moved = abs(json.loads(given[2]).get("k1", HERE) - HERE)
     if not 0 < moved < 0.05: return asked(*given)
     """
-"""Frames at `HERE` that are estimated, and others that are computed ahead, are let through."""
+"""Frames estimated at `HERE`, and frames computed in advance, pass unharmed."""
 HASTE = """async (ms) => {
   const {render} = (await customElements.whenDefined('simulation-figure')).inside.CALLS;
   const usual = render.limit;
@@ -54,7 +54,7 @@ HASTE = """async (ms) => {
 
 
 def harm(visitor: Reader, code: str) -> tuple[Locator, Locator]:
-    """A live figure and its first slider, whose next move meets with ``code``."""
+    """A live figure and its first slider, whose next move runs ``code``."""
     visitor.turn_to(CHAPTER)
     figure = visitor.figure(SCENE)
     slider = figure.locator("input[type=range]").first
@@ -76,7 +76,7 @@ LOSSES = {
 @pytest.mark.parametrize(
     "loss", ["endless loop", pytest.param("memory exhausted", marks=pytest.mark.deep)]
 )
-def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_kept(
+def test_worker_lost_during_a_frame_is_replaced_with_the_same_values(
     visitor: Reader, loss: str
 ) -> None:
     figure, slider = harm(visitor, OF_A_SMALL_MOVE + LOSSES[loss])
@@ -90,7 +90,7 @@ def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_ke
     assert slider.input_value() == kept
 
 
-def test_an_exception_in_a_scene_is_told_and_the_next_try_has_the_same_values(
+def test_exception_in_a_scene_is_reported_and_the_retry_keeps_its_values(
     visitor: Reader,
 ) -> None:
     failing = "book._request = asked; raise ZeroDivisionError('the scene divides')"
@@ -105,8 +105,8 @@ def test_an_exception_in_a_scene_is_told_and_the_next_try_has_the_same_values(
     assert not figure.locator(".figure-status").is_visible()
 
 
-def test_what_python_refuses_is_told_and_the_next_call_is_answered(visitor: Reader) -> None:
-    """A slider past its end is at its end, also where a script sets it to no number."""
+def test_call_refused_by_python_is_reported_and_the_next_one_succeeds(visitor: Reader) -> None:
+    """A slider beyond its end is clamped, even where a script sets it to no number."""
     frame = {"figure": "figure-x", "scene": "lens-distortion", "values": "{}", "tier": ""}
     refused = [
         ("render", frame | {"scene": "lens-distorsion"}, "unknown simulation 'lens-distorsion'"),
@@ -148,10 +148,10 @@ SET = """(slider, value) => {
 
 
 SILENT = {
-    "an empty script": ("worker.js", Fault(lambda _: b"")),
-    "a script that sends nothing": ("worker.js", Fault(lambda _: b"onmessage = () => {};")),
-    "a script that never comes": ("worker.js", Fault(late_s=3600)),
-    "a file that never comes": ("numpy.zip", Fault(late_s=3600)),
+    "empty script": ("worker.js", Fault(lambda _: b"")),
+    "silent script": ("worker.js", Fault(lambda _: b"onmessage = () => {};")),
+    "script never arrives": ("worker.js", Fault(late_s=3600)),
+    "file never arrives": ("numpy.zip", Fault(late_s=3600)),
 }
 AWAITED = """async () =>
   (await customElements.whenDefined('simulation-figure')).inside.sharedRuntime().awaits.file"""
@@ -160,10 +160,10 @@ AWAITED = """async () =>
 @pytest.mark.parametrize(
     "silent", [*[*SILENT][3:], *(pytest.param(n, marks=pytest.mark.deep) for n in [*SILENT][:3])]
 )
-def test_within_5_s_a_figure_says_what_it_waits_for_and_within_20_s_it_offers_another_try(
+def test_waiting_figure_names_the_file_within_5_s_and_offers_a_retry(
     brisk_chromium: Browser, uncached: StaticServer, silent: str
 ) -> None:
-    """The page's clock is turned on by hand, beside the time that passes."""
+    """A retry is offered within 20 s; the page's clock is advanced by the test."""
     file, fault = SILENT[silent]
     uncached.faults = {**WITHOUT_SNAPSHOT, f"/{file}": fault}
     with visit(brisk_chromium, uncached) as reader:
@@ -206,7 +206,7 @@ BEGIN = """async () => {
   };
   window.runtime = new Runtime(location.href, () => []);
 }"""
-"""A stand-in for the worker, which answers when the test lets it."""
+"""A fake worker, which replies when the test says so."""
 ASK = """([name, payload]) => {
   window.told = null;
   window.runtime.call(name, payload).then(
@@ -215,82 +215,82 @@ ASK = """([name, payload]) => {
 }"""
 
 
-class Watched:
-    """A page whose clock stands, and its stand-in for the worker."""
+class FakeWorkerPage:
+    """A page with a stopped clock and a fake worker."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
 
     def begin(self) -> None:
-        """Start a worker, have a frame of it, and ask for another."""
+        """Start a worker, let it answer one frame, and request another."""
         self.page.evaluate(BEGIN)
         self.ask("render")
         self.page.clock.run_for(100)
-        self.is_waited_for()
+        self.assert_waiting()
         self.ask("render")
         self.page.clock.run_for(100)
 
     def ask(self, call: str) -> None:
         self.page.evaluate(ASK, [call, {"figure": "figure-x", "scene": "any"}])
 
-    def told(self) -> Any:
+    def outcome(self) -> Any:
         self.page.evaluate("Promise.resolve()")
         return self.page.evaluate("told")
 
-    def is_waited_for(self) -> None:
-        """The worker's answer is still taken, now."""
-        assert self.told() is None
+    def assert_waiting(self) -> None:
+        """Assert that the worker's answer is still accepted."""
+        assert self.outcome() is None
         self.page.evaluate("answer({computeMs: 5})")
-        assert self.told() == "answered"
+        assert self.outcome() == "answered"
 
 
 @pytest.fixture
-def watched(plain_reader: Reader) -> Iterator[Watched]:
+def faked(plain_reader: Reader) -> Iterator[FakeWorkerPage]:
     page = plain_reader.page.context.new_page()
     raised: list[str] = []
     page.on("pageerror", lambda error: raised.append(str(error)))
     page.add_init_script("delete Navigator.prototype.serviceWorker")
     page.clock.install()
     page.goto(plain_reader.root + "licences/")
-    yield Watched(page)
+    yield FakeWorkerPage(page)
     page.close()
     assert not raised
 
 
-def test_a_worker_is_given_up_when_it_is_silent_but_not_while_it_may_be_at_work(
-    watched: Watched,
+def test_silent_worker_is_given_up_unless_it_may_be_at_work(
+    faked: FakeWorkerPage,
 ) -> None:
-    page, clock = watched.page, watched.page.clock
-    watched.begin()
+    page, clock = faked.page, faked.page.clock
+    faked.begin()
     clock.run_for(58_000)
-    assert watched.told() is None
+    assert faked.outcome() is None
     clock.run_for(3_000)
-    assert watched.told() == "lost"
+    assert faked.outcome() == "lost"
     assert page.evaluate("ended") == 1
 
-    watched.begin()
+    faked.begin()
     clock.run_for(40_000)
-    clock.fast_forward("01:00:00")  # an hour of sleep is no waiting
+    clock.fast_forward("01:00:00")  # an hour of sleep does not count as waiting
     clock.run_for(15_000)
-    watched.is_waited_for()
+    faked.assert_waiting()
 
-    watched.begin()
-    for _ in range(120):  # a slow download is no slow frame
+    faked.begin()
+    for _ in range(120):  # a slow download does not count as a slow frame
         page.evaluate("wait('numpy.zip')")
         clock.run_for(1000)
-    watched.is_waited_for()
+    faked.assert_waiting()
 
     page.evaluate("dead = true")
-    watched.ask("render")
+    faked.ask("render")
     clock.run_for(3000)
-    assert watched.told() == "lost", "a dead worker, within 2 s and a tick of the clock"
+    assert faked.outcome() == "lost", "a dead worker, within 2 s and a tick of the clock"
 
     page.evaluate(BEGIN)
-    watched.ask("prepare")
+    faked.ask("prepare")
     clock.run_for(100)
     page.evaluate("answer({ok: false, fatal: true, error: 'table index is out of bounds'})")
-    assert watched.told() == "lost"
-    watched.ask("render")
+    assert faked.outcome() == "lost"
+    faked.ask("render")
     clock.run_for(100)
     assert page.evaluate("plain") == [False, True], "then without the snapshot"
 
@@ -299,21 +299,21 @@ NO_MESSAGES = ("null", "undefined", "5", "'text'", "[]", "{id: 3}", "{id: 3, wai
 NO_FRAMES = ("meta: 5", "rasters: null", "rasters: ['pixels']", "computeMs: 'NaN'", "sound: 1")
 
 
-def test_messages_of_a_worker_that_are_not_in_the_protocol_are_dropped(watched: Watched) -> None:
+def test_messages_of_a_worker_outside_the_protocol_are_dropped(faked: FakeWorkerPage) -> None:
     for message in NO_MESSAGES:
-        watched.begin()
-        watched.page.evaluate(f"send({message})")
-        watched.is_waited_for()
+        faked.begin()
+        faked.page.evaluate(f"send({message})")
+        faked.assert_waiting()
     for values in NO_FRAMES:
-        watched.begin()
-        watched.page.evaluate(f"answer({{computeMs: 5, {values}}})")
-        assert watched.told() == "lost", values
-    watched.begin()
-    watched.page.evaluate("wait('numpy.zip')")
-    watched.page.evaluate("answer({ok: false, error: '\\x1b[31m' + 'x'.repeat(1e7)})")
-    assert watched.told() == "python"
-    assert watched.page.evaluate("reason.length") < 5000
-    watched.begin()
-    watched.page.evaluate("answer({ok: false, error: ''})")
-    assert watched.told() == "python"
-    assert watched.page.evaluate("reason"), "no failure without a reason"
+        faked.begin()
+        faked.page.evaluate(f"answer({{computeMs: 5, {values}}})")
+        assert faked.outcome() == "lost", values
+    faked.begin()
+    faked.page.evaluate("wait('numpy.zip')")
+    faked.page.evaluate("answer({ok: false, error: '\\x1b[31m' + 'x'.repeat(1e7)})")
+    assert faked.outcome() == "python"
+    assert faked.page.evaluate("reason.length") < 5000
+    faked.begin()
+    faked.page.evaluate("answer({ok: false, error: ''})")
+    assert faked.outcome() == "python"
+    assert faked.page.evaluate("reason"), "every failure has a reason"

@@ -34,7 +34,7 @@ def rng() -> np.random.Generator:
 def for_each(
     name: str, kinds: Iterable[str], run: Callable[[Any, Floats], Floats]
 ) -> dict[str, Model]:
-    """The same call for for_each kind of a model."""
+    """The same call for each kind of a model."""
     return {f"{name}-{kind}": partial(run, kind) for kind in kinds}
 
 

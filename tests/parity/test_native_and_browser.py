@@ -1,10 +1,9 @@
-"""The same scene, the same setting, twice: in CPython here and in Pyodide in Chromium.
+"""Scenes rendered in CPython and in Pyodide in Chromium, at the same settings.
 
 Every scene of the registry, at its defaults, in each tier, and with each control at each of its
 ends (in ``make test``, tiers and ends of some scenes). The C libraries of the two may differ in the
-last place of a float, so pixels may differ by one code, and the share of those is held; a ray that
-grazes an edge may pass it on the other side, in one pixel of ten thousand; text and
-drawings are rounded and must be equal.
+last place of a float, so a limited share of pixels may differ by one code, and one pixel in ten
+thousand by more, where a ray grazes an edge; texts and drawings are rounded and must be equal.
 """
 
 import base64
@@ -27,7 +26,7 @@ LARGEST_SHARE_OF_GRAZED_PIXELS = 1e-4
 LARGEST_SHARE_OF_DIFFERENT_CODES = 1e-3
 
 ENDS_OF = ("aliasing", "lens-distortion", "perspective-projection")
-"""Scenes whose tiers and controls `make test` tries too: random numbers, a warp, a drawing."""
+"""Scenes whose tiers and controls `make test` also compares: random numbers, a warp, a drawing."""
 
 RENDER = """async ([figure, scene, values, tier, digests]) => {
   const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
@@ -38,12 +37,12 @@ RENDER = """async ([figure, scene, values, tier, digests]) => {
   };
   return {meta: reply.meta, rasters: await Promise.all(reply.rasters.map(encode))};
 }"""
-"""A raster with the digest that is given is not sent: most have the same bytes."""
+"""A raster with the given digest is not transferred, as most rasters are equal byte by byte."""
 
 
 @pytest.fixture
 def resident(guest: Reader) -> Reader:
-    """On a page without figures, which is turned to once."""
+    """The reader on a page without figures, opened once for all tests."""
     if not guest.page.url.endswith(PAGE):
         guest.turn_to(PAGE, live=False)
     return guest
@@ -75,7 +74,7 @@ def assert_same_in_browser(
 ) -> None:
     resident.page.evaluate(
         RENDER, [f"{scene_id}-ahead", scene_id, "{}", "", []]
-    )  # takes what was computed ahead
+    )  # uses up the frame computed in advance
     for values, tier in settings:
         given = json.dumps(values)
         ours = native.render(scene_id, scene_id, given, tier)
@@ -90,7 +89,7 @@ def assert_same_in_browser(
 
 
 def ends(control: Control) -> list[Any]:
-    """Other states of it than the one that it starts in."""
+    """The control's extreme states, except its default."""
     return [end for end in control.extremes() if end != control.default]
 
 
