@@ -134,14 +134,14 @@ def disagreements(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult
     return found
 
 
-def close(one: float | None, other: float | None) -> bool:
-    """Whether two machines found the same error."""
+def close(one: float | None, other: float | None, relative: float = RELATIVE) -> bool:
+    """Whether two machines, or two programs for the same method, found the same error."""
     if one is None or other is None:
         return one is other
     low, high = sorted((abs(one), abs(other)))
     if high < SMALL:
         return high < NOTHING or high < FACTOR * low
-    return math.isclose(one, other, rel_tol=RELATIVE)
+    return math.isclose(one, other, rel_tol=relative)
 
 
 def merge(
