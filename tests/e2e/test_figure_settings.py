@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 from support.page_scripts import SILENT_WORKER
 from support.reader import Reader
+from support.steps import step
 
 pytestmark = pytest.mark.browser
 
@@ -261,48 +262,54 @@ def test_words_readouts_and_controls_are_highlighted_together(
     page = guest.page
     caption = page.locator(f"#{ID} .figure-caption")
     lit = "(element, role) => (element.dataset.lit ?? '') === role"
-    for pointed, role in [
-        (caption.locator(".role-world"), "world"),
-        (figure.locator(".readout.role-ray"), "ray"),
-    ]:
-        pointed.hover()
-        for element in (figure, page.locator("article.chapter")):
-            guest.wait_for(element, lit, role)
+    with step("words and readouts highlight the figure and the chapter"):
+        for pointed, role in [
+            (caption.locator(".role-world"), "world"),
+            (figure.locator(".readout.role-ray"), "ray"),
+        ]:
+            pointed.hover()
+            for element in (figure, page.locator("article.chapter")):
+                guest.wait_for(element, lit, role)
+            page.mouse.move(0, 0)
+            guest.wait_for(figure, lit, "")
+    with step("the other parts of the drawing fade"):
+        caption.locator(".role-image").hover()
+        guest.wait_for(
+            figure.locator(".overlay > .camera").first,
+            "one => getComputedStyle(one).opacity !== '1'",
+        )
         page.mouse.move(0, 0)
-        guest.wait_for(figure, lit, "")
-    caption.locator(".role-image").hover()
-    guest.wait_for(
-        figure.locator(".overlay > .camera").first, "one => getComputedStyle(one).opacity !== '1'"
-    )
-    page.mouse.move(0, 0)
-    figure.evaluate("""(figure) => {
-      window.marked = new Set();
-      figure.addEventListener('painted', () => {
-        for (const item of figure.querySelectorAll('.readout[data-moved] output')) {
-          window.marked.add(item.name);
-        }
-      });
-    }""")
-    with guest.next_frame(figure):
-        figure.locator("[name=k1]").fill("0.21")
-    marked = set(page.evaluate("[...window.marked]"))
-    assert {"corner", "bow"} & marked
-    assert "kind" not in marked
-    expect(figure.locator(".readout[data-moved] output")).to_have_count(0)
+    with step("numbers that a control changes are marked until it rests"):
+        figure.evaluate("""(figure) => {
+          window.marked = new Set();
+          figure.addEventListener('painted', () => {
+            for (const item of figure.querySelectorAll('.readout[data-moved] output')) {
+              window.marked.add(item.name);
+            }
+          });
+        }""")
+        with guest.next_frame(figure):
+            figure.locator("[name=k1]").fill("0.21")
+        marked = set(page.evaluate("[...window.marked]"))
+        assert {"corner", "bow"} & marked
+        assert "kind" not in marked
+        expect(figure.locator(".readout[data-moved] output")).to_have_count(0)
 
-    page = plain_reader.page
-    plain_reader.open("perspective-projection/", live=False)
-    symbol = page.locator('main math [class^="role-"]').first
-    symbol.hover()
-    role = str(symbol.get_attribute("class")).removeprefix("role-")
-    plain_reader.wait_for(page.locator("article.chapter"), lit, role)
-    assert page.locator('main :is(span, math *)[class^="role-"][tabindex]').count() == 0
-    plain_reader.turn_to("lighting-and-reflectance/", live=False)
-    driven = plain_reader.figure("phong").locator(".control.driven")
-    page.locator(":is(figcaption, .figure-caption) .role-light").first.hover()
-    expect(driven.locator("[name=light_angle]")).to_have_count(1)
-    page.mouse.move(0, 0)
-    expect(driven).to_have_count(0)
+    with step("symbols of a formula highlight the chapter"):
+        page = plain_reader.page
+        plain_reader.open("perspective-projection/", live=False)
+        symbol = page.locator('main math [class^="role-"]').first
+        symbol.hover()
+        role = str(symbol.get_attribute("class")).removeprefix("role-")
+        plain_reader.wait_for(page.locator("article.chapter"), lit, role)
+        assert page.locator('main :is(span, math *)[class^="role-"][tabindex]').count() == 0
+    with step("a word highlights the control that drives it"):
+        plain_reader.turn_to("lighting-and-reflectance/", live=False)
+        driven = plain_reader.figure("phong").locator(".control.driven")
+        page.locator(":is(figcaption, .figure-caption) .role-light").first.hover()
+        expect(driven.locator("[name=light_angle]")).to_have_count(1)
+        page.mouse.move(0, 0)
+        expect(driven).to_have_count(0)
 
 
 def test_screen_reader_finds_numbers_and_pictures_by_name(

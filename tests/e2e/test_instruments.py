@@ -22,6 +22,7 @@ from support.flat_fields import as_srgb, light_of, pairs_of
 from support.limits import limit_ms
 from support.reader import Reader
 from support.static_server import StaticServer
+from support.steps import step
 
 from simulations.engine.controls import PointLists
 from simulations.engine.photograph import Codes, Mosaic, Photograph
@@ -187,81 +188,92 @@ def test_photographs_are_measured_viewed_removed_refused_and_stored(
     photographs, status = instrument.photographs, instrument.status
     before = instrument.readout("per_px").inner_text()
     files = edge_files(tmp_path)
-    with reader.next_frame(figure):
-        box.get_by_role("button", name="Try with samples").press("Enter")
-    expect(status).to_have_text("6 of 6 photographs are ready.")
-    expect(box.get_by_label("Keep on this device")).to_be_hidden()
-    instrument.add(files)  # the samples make room
-    assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
-    expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
-    expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
-    expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
-    expect(photographs.nth(5)).to_contain_text("20001")
-    expect(status).to_contain_text("4 are refused")
-    expect(reader.page.locator(".data-sheet-files")).to_have_text("soft.png")
-    instrument.click(figure.get_by_role("button", name="Keep this place"))
-    part = instrument.sheet()
-    assert part["photographs"] == ["soft.png"]
-    assert part["settings"]["kept"]
-    assert part["lines"] == slanted_edge_sheet("soft.png", part["settings"])
-    soft = instrument.readout("per_px").inner_text()
-    instrument.click(photographs.nth(1).locator(".intake-look"))
-    assert float(instrument.readout("per_px").inner_text()) > float(soft)
-    instrument.click(photographs.nth(1).locator(".intake-remove"))
-    expect(instrument.readout("per_px")).to_have_text(soft)
-    instrument.click(box.locator(".intake-clear"))
-    expect(instrument.readout("per_px")).to_have_text(before)
-    expect(photographs).to_have_count(0)
-    damaged = tmp_path / "damaged.jpg"
-    beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
-    Image.fromarray(EDGES["soft.png"]).save(damaged, quality=95, exif=beyond)
-    instrument.add([damaged])
-    instrument.give([damaged, files[0]])
-    expect(photographs).to_have_count(2)
-    expect(status).to_have_text("2 of 2 photographs are ready. “damaged.jpg” is here already.")
-    instrument.clear()
+    with step("samples are read"):
+        with reader.next_frame(figure):
+            box.get_by_role("button", name="Try with samples").press("Enter")
+        expect(status).to_have_text("6 of 6 photographs are ready.")
+        expect(box.get_by_label("Keep on this device")).to_be_hidden()
+    with step("the reader's files replace them, and unfit ones say why they are refused"):
+        instrument.add(files)  # the samples make room
+        assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
+        expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
+        expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
+        expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
+        expect(photographs.nth(5)).to_contain_text("20001")
+        expect(status).to_contain_text("4 are refused")
+        expect(reader.page.locator(".data-sheet-files")).to_have_text("soft.png")
+    with step("the data sheet has the results of CPython"):
+        instrument.click(figure.get_by_role("button", name="Keep this place"))
+        part = instrument.sheet()
+        assert part["photographs"] == ["soft.png"]
+        assert part["settings"]["kept"]
+        assert part["lines"] == slanted_edge_sheet("soft.png", part["settings"])
+    with step("one photograph after the other is viewed, removed and cleared"):
+        soft = instrument.readout("per_px").inner_text()
+        instrument.click(photographs.nth(1).locator(".intake-look"))
+        assert float(instrument.readout("per_px").inner_text()) > float(soft)
+        instrument.click(photographs.nth(1).locator(".intake-remove"))
+        expect(instrument.readout("per_px")).to_have_text(soft)
+        instrument.click(box.locator(".intake-clear"))
+        expect(instrument.readout("per_px")).to_have_text(before)
+        expect(photographs).to_have_count(0)
+    with step("damaged EXIF data does no harm, and a file is read only once"):
+        damaged = tmp_path / "damaged.jpg"
+        beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
+        Image.fromarray(EDGES["soft.png"]).save(damaged, quality=95, exif=beyond)
+        instrument.add([damaged])
+        instrument.give([damaged, files[0]])
+        expect(photographs).to_have_count(2)
+        expect(status).to_have_text("2 of 2 photographs are ready. “damaged.jpg” is here already.")
+        instrument.clear()
 
-    reader.page.evaluate(SLOW_TO_OPEN)
-    many = write_files(tmp_path, {f"{number}.png": png(EDGES["soft.png"]) for number in range(3)})
-    instrument.give(many)
-    box.get_by_role("button", name="Stop").click()
-    reader.page.evaluate("window.open_pictures()")
-    expect(status).to_have_text("Stopped. What is ready stays.")
-    expect(box.locator("[data-state=reading]")).to_have_count(0)
-    assert "waiting" in instrument.states()
-    box.get_by_role("button", name="Continue").click()
-    expect(status).to_have_text("3 of 3 photographs are ready.")
-    instrument.clear()
+    with step("reading is stopped and continued"):
+        reader.page.evaluate(SLOW_TO_OPEN)
+        many = write_files(
+            tmp_path, {f"{number}.png": png(EDGES["soft.png"]) for number in range(3)}
+        )
+        instrument.give(many)
+        box.get_by_role("button", name="Stop").click()
+        reader.page.evaluate("window.open_pictures()")
+        expect(status).to_have_text("Stopped. What is ready stays.")
+        expect(box.locator("[data-state=reading]")).to_have_count(0)
+        assert "waiting" in instrument.states()
+        box.get_by_role("button", name="Continue").click()
+        expect(status).to_have_text("3 of 3 photographs are ready.")
+        instrument.clear()
 
-    instrument.add(files)
-    keep = box.get_by_label("Keep on this device")
-    keep.check()
-    wait_stored(reader, 6)
-    reader.open(PAGE)
-    expect(photographs).to_have_count(6)
-    assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
-    expect(instrument.readout("per_px")).to_have_text(soft)
-    keep.uncheck()
-    wait_stored(reader, 0)
-    asked = list[str]()
+    with step("stored photographs are there after a reload"):
+        instrument.add(files)
+        keep = box.get_by_label("Keep on this device")
+        keep.check()
+        wait_stored(reader, 6)
+        reader.open(PAGE)
+        expect(photographs).to_have_count(6)
+        assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
+        expect(instrument.readout("per_px")).to_have_text(soft)
+    with step("leaving asks first once nothing is stored, and then all is gone"):
+        keep.uncheck()
+        wait_stored(reader, 0)
+        asked = list[str]()
 
-    def leave(dialog: Dialog) -> None:
-        asked.append(dialog.type)
-        dialog.accept()
+        def leave(dialog: Dialog) -> None:
+            asked.append(dialog.type)
+            dialog.accept()
 
-    reader.page.once("dialog", leave)
-    reader.page.locator("a", has_text="The Digital Sensor").first.click()
-    reader.page.wait_for_url("**/digital-sensor/")
-    assert asked == ["beforeunload"]
-    reader.open(PAGE)
-    expect(photographs).to_have_count(0)
-    reader.page.evaluate(SLOW_TO_OPEN)
-    instrument.give(many[:1])
-    expect(photographs).to_have_attribute("data-state", "reading")
-    keep.check()
-    wait_stored(reader, 1)
-    reader.open(PAGE)
-    expect(photographs).to_have_attribute("data-state", "ready")
+        reader.page.once("dialog", leave)
+        reader.page.locator("a", has_text="The Digital Sensor").first.click()
+        reader.page.wait_for_url("**/digital-sensor/")
+        assert asked == ["beforeunload"]
+        reader.open(PAGE)
+        expect(photographs).to_have_count(0)
+    with step("a photograph that was being read at a reload is read after it"):
+        reader.page.evaluate(SLOW_TO_OPEN)
+        instrument.give(many[:1])
+        expect(photographs).to_have_attribute("data-state", "reading")
+        keep.check()
+        wait_stored(reader, 1)
+        reader.open(PAGE)
+        expect(photographs).to_have_attribute("data-state", "ready")
 
 
 SLOW_TO_OPEN = """() => {
@@ -316,76 +328,83 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
     shots = [*boards, np.full_like(boards[0], 120)]
     files = write_files(tmp_path, {f"board {k}.png": png(codes) for k, codes in enumerate(shots)})
     make = calibration.whole.get_by_role("button", name="JSON", exact=True)
-    calibration.give(files[:1])
-    expect(calibration.readout("focal")).to_have_text("not determined")
-    make.click()
-    said = calibration.whole.locator(".made-files-said")
-    expect(said).to_contain_text(": At least 3 photographs")
-    calibration.clear()
-    expect(said).to_have_text("")
-    calibration.give(files)
-    expect(calibration.status).to_contain_text("3 of 4")
-    expect(calibration.photographs.last).to_contain_text("No chequerboard found")
-    expect(calibration.whole.locator("input[name=photographs]")).to_have_value("3")
-    expect(calibration.readout("supported")).not_to_have_text("")
-    with page.expect_download() as download:
+    with step("one board is too few for a file"):
+        calibration.give(files[:1])
+        expect(calibration.readout("focal")).to_have_text("not determined")
         make.click()
-    theirs = json.loads(download.value.path().read_text(encoding="utf-8"))
-    ours = calibration_file(boards)
-    assert [one["name"] for one in theirs["photographs"]] == [file.name for file in files[:3]]
-    for part in ("camera", "standard_errors"):
-        assert theirs[part] == pytest.approx(ours[part], rel=1e-6, abs=1e-9)
-    assert len(page.workers) == 1
-    distances = Instrument(reader, "single-view")
-    distances.give(write_files(tmp_path, {"room.png": png(shots[-1])}))  # of the boards' shape
-    expect(distances.readout("lens")).to_contain_text("calibrated on this page")
-    calibration.clear()
-    expect(distances.readout("lens")).to_contain_text("by the lines alone")
-    distances.clear()
+        said = calibration.whole.locator(".made-files-said")
+        expect(said).to_contain_text(": At least 3 photographs")
+        calibration.clear()
+        expect(said).to_have_text("")
+    with step("three boards give the camera of CPython, and a picture without a board is refused"):
+        calibration.give(files)
+        expect(calibration.status).to_contain_text("3 of 4")
+        expect(calibration.photographs.last).to_contain_text("No chequerboard found")
+        expect(calibration.whole.locator("input[name=photographs]")).to_have_value("3")
+        expect(calibration.readout("supported")).not_to_have_text("")
+        with page.expect_download() as download:
+            make.click()
+        theirs = json.loads(download.value.path().read_text(encoding="utf-8"))
+        ours = calibration_file(boards)
+        assert [one["name"] for one in theirs["photographs"]] == [file.name for file in files[:3]]
+        for part in ("camera", "standard_errors"):
+            assert theirs[part] == pytest.approx(ours[part], rel=1e-6, abs=1e-9)
+        assert len(page.workers) == 1
+    with step("the distances use the calibrated lens"):
+        distances = Instrument(reader, "single-view")
+        distances.give(write_files(tmp_path, {"room.png": png(shots[-1])}))  # of the boards' shape
+        expect(distances.readout("lens")).to_contain_text("calibrated on this page")
+        calibration.clear()
+        expect(distances.readout("lens")).to_contain_text("by the lines alone")
+        distances.clear()
 
-    transfer = Instrument(reader, "photon-transfer")
-    uneven = EVEN[2].copy()
-    uneven[:, 90:] //= 2
-    pairs = [*EVEN, uneven]
-    files = write_files(tmp_path, {f"{k}.png": png(codes) for k, codes in enumerate(pairs)})
-    transfer.give(files)
-    expect(transfer.status).to_contain_text(f"{len(EVEN)} of {len(files)}")
-    expect(transfer.photographs.last).to_contain_text("not evenly lit")
-    expect(transfer.readout("gain_true")).to_contain_text("unknown")
-    expect(page.locator(".data-sheet-parts")).to_contain_text("Conversion gain")
-    assert transfer.sheet()["lines"] == sheet_of_even_light()
-    assert not any("libraw" in url for url in requests)
-    transfer.clear()
-    raw = dng_files()
-    cut = [*raw, raw[0][:5000]]
-    transfer.give(write_files(tmp_path, {f"{k}.dng": data for k, data in enumerate(cut)}))
-    expect(transfer.status).to_contain_text(f"{len(RAW)} of {len(cut)} photographs are ready")
-    expect(transfer.photographs.last).to_contain_text("damaged or cut off")
-    expect(page.locator(".data-sheet-parts")).to_contain_text("green, row 0")
-    reader.settle(transfer.figure)
-    assert any("libraw" in url for url in requests)
-    assert transfer.sheet()["lines"] == sheet_of_raw()
-    page.evaluate("() => { window.print = () => { window.is_printing = true; }; }")
-    page.locator(".data-sheet").get_by_role("button", name="Print").click()
-    page.wait_for_function("() => window.is_printing")
-    paper = PdfReader(io.BytesIO(page.pdf(format="A4")))
-    assert len(paper.pages) == 1
-    assert "green, row 0" in paper.pages[0].extract_text()
+    with step("pairs of even light give the sheet of CPython"):
+        transfer = Instrument(reader, "photon-transfer")
+        uneven = EVEN[2].copy()
+        uneven[:, 90:] //= 2
+        pairs = [*EVEN, uneven]
+        files = write_files(tmp_path, {f"{k}.png": png(codes) for k, codes in enumerate(pairs)})
+        transfer.give(files)
+        expect(transfer.status).to_contain_text(f"{len(EVEN)} of {len(files)}")
+        expect(transfer.photographs.last).to_contain_text("not evenly lit")
+        expect(transfer.readout("gain_true")).to_contain_text("unknown")
+        expect(page.locator(".data-sheet-parts")).to_contain_text("Conversion gain")
+        assert transfer.sheet()["lines"] == sheet_of_even_light()
+        assert not any("libraw" in url for url in requests)
+        transfer.clear()
+    with step("raw files give the sheet of CPython, and one that is cut off is refused"):
+        raw = dng_files()
+        cut = [*raw, raw[0][:5000]]
+        transfer.give(write_files(tmp_path, {f"{k}.dng": data for k, data in enumerate(cut)}))
+        expect(transfer.status).to_contain_text(f"{len(RAW)} of {len(cut)} photographs are ready")
+        expect(transfer.photographs.last).to_contain_text("damaged or cut off")
+        expect(page.locator(".data-sheet-parts")).to_contain_text("green, row 0")
+        reader.settle(transfer.figure)
+        assert any("libraw" in url for url in requests)
+        assert transfer.sheet()["lines"] == sheet_of_raw()
+    with step("the data sheet is printed on one page"):
+        page.evaluate("() => { window.print = () => { window.is_printing = true; }; }")
+        page.locator(".data-sheet").get_by_role("button", name="Print").click()
+        page.wait_for_function("() => window.is_printing")
+        paper = PdfReader(io.BytesIO(page.pdf(format="A4")))
+        assert len(paper.pages) == 1
+        assert "green, row 0" in paper.pages[0].extract_text()
 
-    # The other instruments get the developed picture, which clips no white.
-    light = 0.05 + 0.85 * gaussian_edge(360, 480, 5.0, 1.0)
-    grain = np.random.default_rng(2).normal(0.0, 3.0, light.shape)
-    cells = np.rint(64 + 4031 * light + grain).astype(np.uint16)
-    slanted = Instrument(reader, "slanted-edge")
-    slanted.give(write_files(tmp_path, {"edge.dng": dng(cells, black=BLACK[:1])}))
-    expect(slanted.status).to_contain_text("1 of 1 photograph is ready")
-    keep = slanted.box.get_by_label("Keep on this device")
-    keep.click()
-    expect(slanted.status).to_contain_text("keeps no photographs")
-    expect(keep).not_to_be_checked()
-    reader.settle(slanted.figure)
-    per_px = slanted.readout("per_px").inner_text().split()[0]
-    assert float(per_px) == pytest.approx(gaussian_half(1.0), rel=0.01)
+    with step("the developed picture of a raw file has its sharpness"):
+        # The other instruments get the developed picture, which clips no white.
+        light = 0.05 + 0.85 * gaussian_edge(360, 480, 5.0, 1.0)
+        grain = np.random.default_rng(2).normal(0.0, 3.0, light.shape)
+        cells = np.rint(64 + 4031 * light + grain).astype(np.uint16)
+        slanted = Instrument(reader, "slanted-edge")
+        slanted.give(write_files(tmp_path, {"edge.dng": dng(cells, black=BLACK[:1])}))
+        expect(slanted.status).to_contain_text("1 of 1 photograph is ready")
+        keep = slanted.box.get_by_label("Keep on this device")
+        keep.click()
+        expect(slanted.status).to_contain_text("keeps no photographs")
+        expect(keep).not_to_be_checked()
+        reader.settle(slanted.figure)
+        per_px = slanted.readout("per_px").inner_text().split()[0]
+        assert float(per_px) == pytest.approx(gaussian_half(1.0), rel=0.01)
 
 
 def calibration_file(boards: Sequence[Codes]) -> dict[str, Any]:
@@ -418,58 +437,62 @@ def test_drawn_lines_can_be_undone_and_give_the_results_of_cpython(
         visitor.settle(figure)
 
     visitor.put_back(figure)
-    shown = visitor.shown(figure)
-    end = figure.locator('[data-handle="end-2"]')
-    visitor.bring(end)
-    x, y = visitor.middle(end)
-    with visitor.next_frame(figure):
-        visitor.drag((x, y), (x - 30, y + 20))
-    visitor.settle(figure)
-    assert lists().touched == 2
-    assert visitor.shown(figure) != shown
-    press("Undo")
-    assert field.input_value() == ""
-
-    press("Clear")
-    assert not any(lists().lists)
-    press("Add a line")
-    before = lists().lists[1]
-    expect(figure.locator('[data-handle="end-0"]')).to_be_focused()
-    for key in ("ArrowRight", "Shift+ArrowUp"):
+    with step("an end is dragged, and put back by Undo"):
+        shown = visitor.shown(figure)
+        end = figure.locator('[data-handle="end-2"]')
+        visitor.bring(end)
+        x, y = visitor.middle(end)
         with visitor.next_frame(figure):
-            keyboard.press(key)
+            visitor.drag((x, y), (x - 30, y + 20))
         visitor.settle(figure)
-    moved = (np.array(lists().lists[1]) - before) * SIZE
-    np.testing.assert_allclose(moved, [(1, -10), (0, 0)], atol=0.51)
-    press("Undo")
-    press("Undo")
-    assert lists().lists[1] == before
+        assert lists().touched == 2
+        assert visitor.shown(figure) != shown
+        press("Undo")
+        assert field.input_value() == ""
 
-    codes = to_rgba8(encode_srgb(checker_room(*SIZE, FOCAL_PX, CORNER.turn)))[..., :3]
-    same = Photograph(1, codes, "room.png")
-    noisy = [ends + np.random.default_rng(1).normal(size=ends.shape) for ends in CORNER.drawn]
-    shares = [np.clip((ends.reshape(-1, 2) + 0.5) / SIZE, 0, 1) for ends in noisy]
-    lines = PointLists("own", 0, tuple(tuple(map(tuple, each)) for each in shares)).text
-    place = "figure-single-view"
-    visitor.turn_to_unlinked(f"{PAGE}?{place}.lines={lines}&{place}.sigma=1#{place}")
-    whole = visitor.page.locator(f"#{place}")
-    with visitor.next_frame(figure):
-        whole.locator(".intake input[type=file]").set_input_files(
-            write_files(tmp_path, {"room.png": png(codes)})
-        )
-    visitor.settle(figure)
-    scene = load_scene("single-view")
-    settings = scene.check({"lines": lines, "sigma": 1.0})
-    for readout in scene.render(settings, "", StageCache(), same).readouts:
-        assert figure.locator(f"output[name={readout.name}]").text_content() == readout.text
-    with visitor.page.expect_download() as download:
-        whole.get_by_role("button", name="Distances as JSON").click()
-    theirs = json.loads(download.value.path().read_text("utf-8"))
-    ours = json.loads(as_json(settings, scene.run(settings, "", StageCache(), same).outputs))
-    assert theirs["photograph"] == "room.png"
-    focal_px = ours["camera"]["focal_px"]["value"]
-    assert theirs["camera"]["focal_px"]["value"] == pytest.approx(focal_px, rel=1e-9)
-    assert theirs["lines_px"] == ours["lines_px"]
+    with step("a line is added and moved by keys, and put back by Undo"):
+        press("Clear")
+        assert not any(lists().lists)
+        press("Add a line")
+        before = lists().lists[1]
+        expect(figure.locator('[data-handle="end-0"]')).to_be_focused()
+        for key in ("ArrowRight", "Shift+ArrowUp"):
+            with visitor.next_frame(figure):
+                keyboard.press(key)
+            visitor.settle(figure)
+        moved = (np.array(lists().lists[1]) - before) * SIZE
+        np.testing.assert_allclose(moved, [(1, -10), (0, 0)], atol=0.51)
+        press("Undo")
+        press("Undo")
+        assert lists().lists[1] == before
+
+    with step("a link with lines measures the reader's photograph as CPython does"):
+        codes = to_rgba8(encode_srgb(checker_room(*SIZE, FOCAL_PX, CORNER.turn)))[..., :3]
+        same = Photograph(1, codes, "room.png")
+        noisy = [ends + np.random.default_rng(1).normal(size=ends.shape) for ends in CORNER.drawn]
+        shares = [np.clip((ends.reshape(-1, 2) + 0.5) / SIZE, 0, 1) for ends in noisy]
+        lines = PointLists("own", 0, tuple(tuple(map(tuple, each)) for each in shares)).text
+        place = "figure-single-view"
+        visitor.turn_to_unlinked(f"{PAGE}?{place}.lines={lines}&{place}.sigma=1#{place}")
+        whole = visitor.page.locator(f"#{place}")
+        with visitor.next_frame(figure):
+            whole.locator(".intake input[type=file]").set_input_files(
+                write_files(tmp_path, {"room.png": png(codes)})
+            )
+        visitor.settle(figure)
+        scene = load_scene("single-view")
+        settings = scene.check({"lines": lines, "sigma": 1.0})
+        for readout in scene.render(settings, "", StageCache(), same).readouts:
+            assert figure.locator(f"output[name={readout.name}]").text_content() == readout.text
+    with step("the exported file has the numbers of CPython"):
+        with visitor.page.expect_download() as download:
+            whole.get_by_role("button", name="Distances as JSON").click()
+        theirs = json.loads(download.value.path().read_text("utf-8"))
+        ours = json.loads(as_json(settings, scene.run(settings, "", StageCache(), same).outputs))
+        assert theirs["photograph"] == "room.png"
+        focal_px = ours["camera"]["focal_px"]["value"]
+        assert theirs["camera"]["focal_px"]["value"] == pytest.approx(focal_px, rel=1e-9)
+        assert theirs["lines_px"] == ours["lines_px"]
 
 
 BOX = "document.querySelector('figure:has([data-simulation=photon-transfer]) .intake')"

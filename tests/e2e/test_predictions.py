@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, Locator, Page, Request, expect
 from support.page_scripts import FRUGAL
 from support.reader import Reader, visit
 from support.static_server import StaticServer, serving
+from support.steps import step
 
 pytestmark = pytest.mark.browser
 
@@ -22,48 +23,55 @@ def test_guess_stands_beside_the_answer_until_it_is_reset(plain_reader: Reader, 
     form = open_prediction(plain_reader, book, "corner-of-a-barrel")
     answer = page.locator('[data-answers="corner-of-a-barrel"]')
     submit, guess = form.locator("button[type=submit]"), form.locator("input[name=guess]")
-    submit.click()
-    assert form.get_attribute("data-answered") is None, "nothing was guessed"
-    guess.fill("40")
-    submit.click()
-    assert form.get_attribute("data-answered") == "wrong"
-    assert form.locator(".guessed dd").inner_text() == "40 px"
-    assert form.locator(".computed dd").inner_text().replace("\u00a0", " ") == "\u221240.0 px"
-    assert form.locator(".explanation").count() == 1
-    reset.click()
-    assert form.get_attribute("data-answered") is None
-    assert guess.is_enabled()
-    assert not answer.locator(".answer-body").is_visible()
-    guess.fill("0")
-    submit.click()
-    assert form.locator(".explanation").count() == 0, "not taken for the mistake of −0.2"
-    reset.click()
-    answer.locator("[data-reveal]").click()
-    assert answer.locator(".answer-body").is_visible(), "it can be shown where it is hidden"
-    assert form.get_attribute("data-answered") == "revealed"
-    reset.click()
-    form.locator("[data-reveal]").press("Enter")
-    assert form.get_attribute("data-answered") == "revealed"
-    assert form.locator(".guessed").count() == 0
-    status = form.locator("[role=status]")
-    assert status.get_attribute("aria-live") == "polite", "announced on request"
-    assert status.locator("> *").count() == 1, "as one"
-    page.reload()
-    assert form.get_attribute("data-answered") == "revealed"
-    assert status.get_attribute("aria-live") == "off", "not announced after a reload"
+    with step("an empty guess is not judged"):
+        submit.click()
+        assert form.get_attribute("data-answered") is None, "nothing was guessed"
+    with step("a wrong guess stands beside the answer, with its explanation"):
+        guess.fill("40")
+        submit.click()
+        assert form.get_attribute("data-answered") == "wrong"
+        assert form.locator(".guessed dd").inner_text() == "40 px"
+        assert form.locator(".computed dd").inner_text().replace("\u00a0", " ") == "\u221240.0 px"
+        assert form.locator(".explanation").count() == 1
+    with step("the guess is reset"):
+        reset.click()
+        assert form.get_attribute("data-answered") is None
+        assert guess.is_enabled()
+        assert not answer.locator(".answer-body").is_visible()
+    with step("another wrong guess has no explanation"):
+        guess.fill("0")
+        submit.click()
+        assert form.locator(".explanation").count() == 0, "not taken for the mistake of −0.2"
+    with step("the answer is shown without a guess, and announced once"):
+        reset.click()
+        answer.locator("[data-reveal]").click()
+        assert answer.locator(".answer-body").is_visible(), "it can be shown where it is hidden"
+        assert form.get_attribute("data-answered") == "revealed"
+        reset.click()
+        form.locator("[data-reveal]").press("Enter")
+        assert form.get_attribute("data-answered") == "revealed"
+        assert form.locator(".guessed").count() == 0
+        status = form.locator("[role=status]")
+        assert status.get_attribute("aria-live") == "polite", "announced on request"
+        assert status.locator("> *").count() == 1, "as one"
+    with step("it is still shown after a reload, and not announced"):
+        page.reload()
+        assert form.get_attribute("data-answered") == "revealed"
+        assert status.get_attribute("aria-live") == "off", "not announced after a reload"
 
-    form = open_prediction(plain_reader, book, "sharp-again")
-    form.locator('input[name=guess][value="0"]').check()
-    form.locator("button[type=submit]").click()
-    assert form.get_attribute("data-answered") == "wrong"
-    options = prediction_of(book, "sharp-again")["options"]
-    (right,) = (option["text"] for option in options if option["correct"])
-    assert form.locator(".computed dd").inner_text() == right
-    assert form.locator(".explanation").count() == 2
-    marks = form.locator("label:is(.correct, .wrong)")
-    assert marks.count() == 2
-    reset.click()
-    assert marks.count() == 0
+    with step("a wrong option is marked beside the right one"):
+        form = open_prediction(plain_reader, book, "sharp-again")
+        form.locator('input[name=guess][value="0"]').check()
+        form.locator("button[type=submit]").click()
+        assert form.get_attribute("data-answered") == "wrong"
+        options = prediction_of(book, "sharp-again")["options"]
+        (right,) = (option["text"] for option in options if option["correct"])
+        assert form.locator(".computed dd").inner_text() == right
+        assert form.locator(".explanation").count() == 2
+        marks = form.locator("label:is(.correct, .wrong)")
+        assert marks.count() == 2
+        reset.click()
+        assert marks.count() == 0
 
 
 def test_links_to_an_experiment_wait_for_the_guess(plain_reader: Reader, book: Any) -> None:
@@ -194,36 +202,40 @@ def test_settings_answers_and_figures_survive_leaving_the_book_and_back(
         reader = end.enter_context(visit(browser, server, f"{TELL}; {FRUGAL}"))
         page = reader.page
         under_way = requests_under_way(page)
-        reader.open(ALL_KINDS[0])
-        figure = page.locator("simulation-figure")
-        slider = figure.locator("input[type=range]").first
-        slider.press("PageUp")
-        moved = slider.input_value()
-        page.wait_for_function("location.search !== ''")
-        page.evaluate(GIVE)
-        sent = page.locator("form.quiz:has([type=radio])").first
-        sent.locator("button[type=submit]").click()
-        given = page.evaluate(GIVEN)
-        for _ in range(TRIES if kept else 1):
-            # A page is kept only while its worker rests and no file is on its way.
-            reader.settle(figure)
-            while under_way:
-                page.evaluate("new Promise(requestAnimationFrame)")
-            page.evaluate("window.persisted = undefined")
-            page.evaluate("url => location.assign(url)", elsewhere)
-            page.wait_for_url(elsewhere)
-            page.evaluate("setTimeout(() => history.back())")  # `go_back` waits for a page to load
-            page.wait_for_url(lambda url: ALL_KINDS[0] in url, wait_until="commit")
-            page.wait_for_function("window.persisted !== undefined")
-            reader.wait_live()
-            if page.evaluate("window.persisted") is kept:
-                break
-        else:
-            pytest.fail(page.evaluate(WHY_NOT))
-        assert slider.input_value() == moved
-        assert page.evaluate(GIVEN) == given
-        assert sent.get_attribute("data-answered")
-        reader.press(figure, "PageDown")
+        with step("a figure is set and questions are answered"):
+            reader.open(ALL_KINDS[0])
+            figure = page.locator("simulation-figure")
+            slider = figure.locator("input[type=range]").first
+            slider.press("PageUp")
+            moved = slider.input_value()
+            page.wait_for_function("location.search !== ''")
+            page.evaluate(GIVE)
+            sent = page.locator("form.quiz:has([type=radio])").first
+            sent.locator("button[type=submit]").click()
+            given = page.evaluate(GIVEN)
+        with step("the reader leaves the book and comes back"):
+            for _ in range(TRIES if kept else 1):
+                # A page is kept only while its worker rests and no file is on its way.
+                reader.settle(figure)
+                while under_way:
+                    page.evaluate("new Promise(requestAnimationFrame)")
+                page.evaluate("window.persisted = undefined")
+                page.evaluate("url => location.assign(url)", elsewhere)
+                page.wait_for_url(elsewhere)
+                # `go_back` waits for a page to load.
+                page.evaluate("setTimeout(() => history.back())")
+                page.wait_for_url(lambda url: ALL_KINDS[0] in url, wait_until="commit")
+                page.wait_for_function("window.persisted !== undefined")
+                reader.wait_live()
+                if page.evaluate("window.persisted") is kept:
+                    break
+            else:
+                pytest.fail(page.evaluate(WHY_NOT))
+        with step("all is as it was, and the figure answers"):
+            assert slider.input_value() == moved
+            assert page.evaluate(GIVEN) == given
+            assert sent.get_attribute("data-answered")
+            reader.press(figure, "PageDown")
 
 
 TELL = "addEventListener('pageshow', ({persisted}) => { window.persisted = persisted; })"

@@ -12,6 +12,7 @@ from playwright.sync_api import Locator, expect
 from support.limits import limit_ms
 from support.places import ROOT
 from support.reader import DESK, Reader
+from support.steps import step
 
 from simulations.script import script
 
@@ -96,49 +97,55 @@ def test_edited_code_draws_only_its_own_figure_until_it_is_put_back(
     page, figure = edited.page, edited.figure
     others, book = other.drawn(), edited.drawn()
     focused = "what => document.activeElement.matches(what)"
-    figure.locator(".open-python").press("Enter")
-    page.wait_for_function(focused, arg=".workshop-part")
-    while page.evaluate("document.activeElement.textContent").split()[0] != "encoded":
+    with step("a part is opened by keyboard"):
+        figure.locator(".open-python").press("Enter")
+        page.wait_for_function(focused, arg=".workshop-part")
+        while page.evaluate("document.activeElement.textContent").split()[0] != "encoded":
+            page.keyboard.press("Tab")
+        page.keyboard.press("Enter")
+        while not page.evaluate(focused, ".cm-content"):
+            page.keyboard.press("Tab")
+    with step("code is typed, indented and run by keyboard"):
+        page.keyboard.press("ControlOrMeta+a")
+        page.keyboard.type("def _encoded(photo):\nreturn ")
+        page.keyboard.insert_text("to_rgba8(encode_srgb_table(1 - photo.linear))")
+        assert figure.locator(".cm-line").nth(1).inner_text().startswith("    return"), "indented"
+        page.keyboard.press("Home")
         page.keyboard.press("Tab")
-    page.keyboard.press("Enter")
-    while not page.evaluate(focused, ".cm-content"):
+        assert page.evaluate(focused, ".cm-content"), "Tab indents"
+        page.keyboard.press("ControlOrMeta+Enter")
+        assert "Running your code" in edited.result()
+    with step("Tab leaves the editor after Escape, which is announced"):
+        page.keyboard.press("Escape")
         page.keyboard.press("Tab")
-    page.keyboard.press("ControlOrMeta+a")
-    page.keyboard.type("def _encoded(photo):\nreturn ")
-    page.keyboard.insert_text("to_rgba8(encode_srgb_table(1 - photo.linear))")
-    assert figure.locator(".cm-line").nth(1).inner_text().startswith("    return"), "indented"
-    page.keyboard.press("Home")
-    page.keyboard.press("Tab")
-    assert page.evaluate(focused, ".cm-content"), "Tab indents"
-    page.keyboard.press("ControlOrMeta+Enter")
-    assert "Running your code" in edited.result()
-    page.keyboard.press("Escape")
-    page.keyboard.press("Tab")
-    assert page.evaluate(focused, ".workshop button"), "the way out"
-    hint = edited.code.get_attribute("aria-describedby")
-    assert "press Escape" in page.locator(f"[id='{hint}']").inner_text()
-    assert page.workers[-1].url.startswith("blob:"), "so that it has the policy of the page"
-    changed = edited.shown()
-    assert changed["pixels"] != book["pixels"]
-    assert changed["readouts"] == book["readouts"]
-    assert other.move("ArrowRight") != others
-    assert other.move("ArrowLeft") == others
-    assert edited.move("ArrowRight")["pixels"] != changed["pixels"]
-    assert edited.move("ArrowLeft") == changed
-    figure.locator(".use", has_text="encode_srgb").click()
-    assert "simulations/models/color/srgb.py" in figure.locator(".workshop-place").inner_text()
-    edited.write("def encode_srgb_table(linear):\n    return linear\nprint('hello')\n")
-    edited.run()
-    assert figure.locator(".workshop-printed").inner_text() == "hello\n"
-    assert edited.shown()["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
-    figure.locator(".put-all-back").click()
-    figure.locator(".workshop-result", has_text="book’s code").wait_for()
-    assert edited.shown() == book
-    edited.part("encoded").click()
-    assert "def _encoded(photo: Photo)" in edited.code.inner_text()
-    assert len(page.workers) == 1
-    figure.locator(".workshop .close").press("Enter")
-    assert page.evaluate(focused, ".open-python")
+        assert page.evaluate(focused, ".workshop button"), "the way out"
+        hint = edited.code.get_attribute("aria-describedby")
+        assert "press Escape" in page.locator(f"[id='{hint}']").inner_text()
+    with step("the edited code draws this figure alone"):
+        assert page.workers[-1].url.startswith("blob:"), "so that it has the policy of the page"
+        changed = edited.shown()
+        assert changed["pixels"] != book["pixels"]
+        assert changed["readouts"] == book["readouts"]
+        assert other.move("ArrowRight") != others
+        assert other.move("ArrowLeft") == others
+        assert edited.move("ArrowRight")["pixels"] != changed["pixels"]
+        assert edited.move("ArrowLeft") == changed
+    with step("a model can be edited too, and its output is shown"):
+        figure.locator(".use", has_text="encode_srgb").click()
+        assert "simulations/models/color/srgb.py" in figure.locator(".workshop-place").inner_text()
+        edited.write("def encode_srgb_table(linear):\n    return linear\nprint('hello')\n")
+        edited.run()
+        assert figure.locator(".workshop-printed").inner_text() == "hello\n"
+        assert edited.shown()["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
+    with step("everything is put back"):
+        figure.locator(".put-all-back").click()
+        figure.locator(".workshop-result", has_text="book’s code").wait_for()
+        assert edited.shown() == book
+        edited.part("encoded").click()
+        assert "def _encoded(photo: Photo)" in edited.code.inner_text()
+        assert len(page.workers) == 1
+        figure.locator(".workshop .close").press("Enter")
+        assert page.evaluate(focused, ".open-python")
 
 
 def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
@@ -149,67 +156,74 @@ def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
     shop, other = workshops
     page, figure = shop.page, shop.figure
     book = shop.shown()
-    figure.locator(".open-python").click()
-    formula = figure.locator(".workshop-part").first
-    assert formula.get_attribute("aria-current") == "true"
-    assert "def distort(" in shop.code.inner_text()
-    shop.part("encoded").click()
-    first = int(figure.locator(".place-line").inner_text())
-    shop.write("def _encoded(photo):\n    return (photo\n")
-    told = shop.run()
-    assert "SyntaxError" in told
-    assert f"Line {first + 1} of _encoded" in told
-    shop.write("def _encoded(photo):\n    x = 1\n    return phot")
-    told = shop.run()
-    assert "NameError: name 'phot' is not defined" in told
-    assert f"Line {first + 2} of _encoded" in told
-    assert figure.locator(".cm-problem").inner_text() == "    return phot"
-    shop.part("pinhole").click()
-    figure.locator(".result-place").click()
-    page.keyboard.insert_text("# here ")
-    assert figure.locator(".cm-problem").inner_text() == "    # here return phot"
-    shop.write("\n" * 40 + "def _encoded(photo)")
-    assert "SyntaxError" in shop.run()
-    for width, height in ((1440, 900), (390, 844)):
-        page.set_viewport_size({"width": width, "height": height})
-        shop.code.click()
-        page.keyboard.press("ControlOrMeta+End")
-        for part in (".panel .panel-view", ".result-words", ".cm-problem"):
-            assert figure.locator(part).first.evaluate(IN_VIEW), (part, width)
-    page.set_viewport_size(DESK)
-    assert shop.shown() == book
-    assert figure.get_attribute("data-state") == "live"
-    assert shop.move("ArrowRight") != book
-    shop.move("ArrowLeft")
-    shop.write(NEGATIVE)
-    formula.click()
-    shop.write("def distort(xy, d):\n    return 0.5 * xy\n")
-    assert "Running your code" in shop.run()
-    changed = shop.shown()
-    assert changed["drawings"] != book["drawings"]
+    with step("the editor opens at the formula"):
+        figure.locator(".open-python").click()
+        formula = figure.locator(".workshop-part").first
+        assert formula.get_attribute("aria-current") == "true"
+        assert "def distort(" in shop.code.inner_text()
+    with step("mistakes name their line and mark it"):
+        shop.part("encoded").click()
+        first = int(figure.locator(".place-line").inner_text())
+        shop.write("def _encoded(photo):\n    return (photo\n")
+        told = shop.run()
+        assert "SyntaxError" in told
+        assert f"Line {first + 1} of _encoded" in told
+        shop.write("def _encoded(photo):\n    x = 1\n    return phot")
+        told = shop.run()
+        assert "NameError: name 'phot' is not defined" in told
+        assert f"Line {first + 2} of _encoded" in told
+        assert figure.locator(".cm-problem").inner_text() == "    return phot"
+        shop.part("pinhole").click()
+        figure.locator(".result-place").click()
+        page.keyboard.insert_text("# here ")
+        assert figure.locator(".cm-problem").inner_text() == "    # here return phot"
+    with step("a mistake far down is in view beside the figure on any screen"):
+        shop.write("\n" * 40 + "def _encoded(photo)")
+        assert "SyntaxError" in shop.run()
+        for width, height in ((1440, 900), (390, 844)):
+            page.set_viewport_size({"width": width, "height": height})
+            shop.code.click()
+            page.keyboard.press("ControlOrMeta+End")
+            for part in (".panel .panel-view", ".result-words", ".cm-problem"):
+                assert figure.locator(part).first.evaluate(IN_VIEW), (part, width)
+    with step("a mistake leaves the figure as it is and alive"):
+        page.set_viewport_size(DESK)
+        assert shop.shown() == book
+        assert figure.get_attribute("data-state") == "live"
+        assert shop.move("ArrowRight") != book
+        shop.move("ArrowLeft")
+    with step("two edits change the figure"):
+        shop.write(NEGATIVE)
+        formula.click()
+        shop.write("def distort(xy, d):\n    return 0.5 * xy\n")
+        assert "Running your code" in shop.run()
+        changed = shop.shown()
+        assert changed["drawings"] != book["drawings"]
 
-    shop.reader.open(CHAPTER)
-    expect(shop.state).to_contain_text("runs your code")
-    assert shop.shown() == changed
-    assert other.state.inner_text() == ""
-    assert figure.locator(".workshop").count() == 0
-    shop.open()
-    with page.expect_download() as caught:
-        figure.locator(".download").click()
-    assert caught.value.suggested_filename == "lens-distortion-edited.py"
-    text = caught.value.path().read_text(encoding="utf-8")
-    assert NEGATIVE in text
-    assert "# _encoded in simulations/scenes/lens_distortion/stages.py" in text
-    page.evaluate(THE_BOOK_CHANGES)
-    shop.reader.turn_to("licences/", live=False)
-    shop.reader.turn_to(CHAPTER)
-    shop.open()
-    assert "def _encoded(photo: Photo)" in shop.code.inner_text()
-    assert shop.shown() == book
-    figure.locator(".offer-show").click()
-    assert shop.code.inner_text().strip() == NEGATIVE.strip()
-    figure.locator(".put-all-back").click()
-    assert not page.evaluate("Object.keys(localStorage).some((k) => k.includes('python:'))")
+    with step("the edits are there after a reload, and can be downloaded"):
+        shop.reader.open(CHAPTER)
+        expect(shop.state).to_contain_text("runs your code")
+        assert shop.shown() == changed
+        assert other.state.inner_text() == ""
+        assert figure.locator(".workshop").count() == 0
+        shop.open()
+        with page.expect_download() as caught:
+            figure.locator(".download").click()
+        assert caught.value.suggested_filename == "lens-distortion-edited.py"
+        text = caught.value.path().read_text(encoding="utf-8")
+        assert NEGATIVE in text
+        assert "# _encoded in simulations/scenes/lens_distortion/stages.py" in text
+    with step("edits of other code are offered, not run"):
+        page.evaluate(THE_BOOK_CHANGES)
+        shop.reader.turn_to("licences/", live=False)
+        shop.reader.turn_to(CHAPTER)
+        shop.open()
+        assert "def _encoded(photo: Photo)" in shop.code.inner_text()
+        assert shop.shown() == book
+        figure.locator(".offer-show").click()
+        assert shop.code.inner_text().strip() == NEGATIVE.strip()
+        figure.locator(".put-all-back").click()
+        assert not page.evaluate("Object.keys(localStorage).some((k) => k.includes('python:'))")
 
 
 IN_VIEW = """(element) => {

@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, expect
 from support.reader import Reader
+from support.steps import step
 
 pytestmark = pytest.mark.browser
 
@@ -335,29 +336,33 @@ def test_files_of_many_readers_become_a_table_by_question_and_nothing_is_sent(
         }
         named = ', "who": "=Student 0"' if who == 11 else ""
         file.write_text(f"{HEAD} {json.dumps(answers)}{named}}}")
-    methods: list[str] = []
-    page.on("request", lambda request: methods.append(request.method))
-    broken = tmp_path / "broken.json"
-    broken.write_text("{")
-    page.locator(".class-files").set_input_files([*files, broken])
-    expect(page.locator(".class-tables details")).to_have_count(3)
-    said = page.locator(".class-said").inner_text()
-    assert "12 files, 3 questions" in said
-    assert "broken.json" in said
+    with step("twelve files are read, and the broken one is named"):
+        methods: list[str] = []
+        page.on("request", lambda request: methods.append(request.method))
+        broken = tmp_path / "broken.json"
+        broken.write_text("{")
+        page.locator(".class-files").set_input_files([*files, broken])
+        expect(page.locator(".class-tables details")).to_have_count(3)
+        said = page.locator(".class-said").inner_text()
+        assert "12 files, 3 questions" in said
+        assert "broken.json" in said
 
-    def summary(question: Any) -> str:
-        return page.locator("summary", has_text=question["name"]).inner_text()
+    with step("each question has its answers"):
 
-    assert "12 answered, 4 right at first, 12 right at last" in summary(choice)
-    assert summary(choice).endswith(f"(8): {choice['options'][trap]['text']}")
-    assert "10 answered, 0 right" in summary(number)
-    told = f"(5): {drawn['variants'][-1]['drawn']}: 0.125"
-    assert summary(drawn).endswith(told), "its numbers are told with the answer"
-    with page.expect_download() as download:
-        page.locator(".class-csv").click()
-    rows = Path(download.value.path()).read_text("utf-8").splitlines()
-    assert rows[0].startswith("\ufeffquestion,who,"), "known to be UTF-8"
-    assert len(rows) == 1 + 12 + 10 + 5
-    assert sum(row.startswith(f"{number['id']},'=Student ") for row in rows) == 10
-    assert sum(row.startswith(f"{choice['id']},'=Student 0 (2),") for row in rows) == 1
-    assert {*methods} <= {"GET"}
+        def summary(question: Any) -> str:
+            return page.locator("summary", has_text=question["name"]).inner_text()
+
+        assert "12 answered, 4 right at first, 12 right at last" in summary(choice)
+        assert summary(choice).endswith(f"(8): {choice['options'][trap]['text']}")
+        assert "10 answered, 0 right" in summary(number)
+        told = f"(5): {drawn['variants'][-1]['drawn']}: 0.125"
+        assert summary(drawn).endswith(told), "its numbers are told with the answer"
+    with step("the table is saved as CSV"):
+        with page.expect_download() as download:
+            page.locator(".class-csv").click()
+        rows = Path(download.value.path()).read_text("utf-8").splitlines()
+        assert rows[0].startswith("\ufeffquestion,who,"), "known to be UTF-8"
+        assert len(rows) == 1 + 12 + 10 + 5
+        assert sum(row.startswith(f"{number['id']},'=Student ") for row in rows) == 10
+        assert sum(row.startswith(f"{choice['id']},'=Student 0 (2),") for row in rows) == 1
+        assert {*methods} <= {"GET"}
