@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, sync_playwright
 from support.built import built_once
 from support.chromium import HOW_TO, find_chromium, find_headless_shell, launch_arguments
 from support.engine import Engine, make_engine
+from support.kernels import in_use
 from support.places import ROOT
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
@@ -38,6 +39,11 @@ prepare_photographs(ROOT)  # scenes import them
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
     """One more than there are cores: tests of the browser often wait for it to paint or to rest."""
     return None if "not browser" in config.option.markexpr else (os.cpu_count() or 1) + 1
+
+
+def pytest_report_header() -> str:
+    """Errors near rounding depend on them."""
+    return f"kernels: {in_use()}"
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
