@@ -1,12 +1,13 @@
 """Chapter 2: rotations and poses."""
 
 from collections.abc import Callable
-from math import exp
+from math import degrees, exp
 
 import numpy as np
 from support.worked_numbers import Phrases
 
 from simulations.models.geometry import rotations
+from simulations.scenes.rotation_3d import orientation, paths
 
 CHAPTER = "02-3d-transformations"
 
@@ -34,3 +35,10 @@ def the_ladder_in_space() -> Phrases:
         steps = 1e-5 * np.eye(parameters)
         moves = [(matrix(step) - matrix(-step)).ravel() / 2e-5 for step in steps]
         yield f"| {rung} | {np.linalg.matrix_rank(moves, tol=1e-6)} |"
+
+
+def distance_of_the_euler_path_from_slerp() -> Phrases:
+    ways = paths(orientation(100, 90, 100), "slerp")
+    between = ways["slerp"](0.5).T @ ways["euler"](0.5)
+    apart_deg = degrees(np.linalg.norm(rotations.logarithm(between)))
+    yield f"at the *same* progress the first is {apart_deg:.1f}° away"

@@ -6,7 +6,9 @@ import numpy as np
 from support.worked_numbers import Phrases
 
 from simulations.models.light.brdf import Material, reflected
+from simulations.models.light.interreflection import CELLS, bounced, exchange
 from simulations.models.light.reflectance import lambert, phong
+from simulations.scenes.second_bounce.scene import albedos_of, direct
 
 CHAPTER = "05-lighting-and-reflectance"
 FRONT = np.array((0.0, 0, 1))
@@ -47,3 +49,16 @@ def peak_beyond_the_mirror_direction() -> Phrases:
     yield f"With a lamp at 60° and a constant $F = 1$ the peak is already at {constant:.0f}°"
     assert peak_of_microfacets_deg(60, Material(0.0, 0.04, 0.25)) > 89.5
     yield "the highlight at that lamp rises all the way to the horizon"
+
+
+def blue_light_in_the_red_shadow() -> Phrases:
+    """Light on the floor outside the patch, below a white ceiling and below a black one."""
+    floor, ceiling, lamp = 2, 3, direct(90.0)
+    white = albedos_of(0.8, "red")[:6, 1]
+    black = np.where(np.arange(6) == ceiling, 0.0, white)
+    lit, dark = (
+        (exchange() @ bounced(lamp, albedos, 1).ravel()).reshape(6, CELLS, CELLS)[floor]
+        for albedos in (white, black)
+    )
+    assert (1 - dark / lit)[lamp[floor] == 0].min() > 2 / 3
+    yield "Of its little blue light, more than two thirds come by way of the white ceiling"

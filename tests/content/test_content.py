@@ -15,7 +15,7 @@ from statistics import mean
 
 import pytest
 from support.frames import frame_of
-from support.worked_numbers import CONTENT, Calculation, source
+from support.worked_numbers import CONTENT, SLOW, Calculation, source
 
 from simulations.engine.ladder import DRAWS, errors_of_draws
 from simulations.registry import LADDER_MODULES, load_ladder, load_scene
@@ -33,7 +33,12 @@ ROOT = CONTENT.parent
 CHAPTERS = sorted(file.stem for file in CONTENT.glob("*.md"))
 MODULES = [import_module(file.stem) for file in sorted(Path(__file__).parent.glob("numbers_*.py"))]
 CALCULATIONS = [
-    pytest.param(module.CHAPTER, found, id=f"{module.CHAPTER[:2]}-{found.__name__}")
+    pytest.param(
+        module.CHAPTER,
+        found,
+        id=f"{module.CHAPTER[:2]}-{found.__name__}",
+        marks=[pytest.mark.deep] if found in SLOW else [],
+    )
     for module in MODULES
     for found in vars(module).values()
     if isgeneratorfunction(found) and found.__module__ == module.__name__

@@ -13,6 +13,15 @@ CONTENT = Path(__file__).resolve().parents[2] / "content"
 type Phrases = Iterator[str]
 type Calculation = Callable[[], Phrases]
 
+SLOW: set[Calculation] = set()
+"""Calculations of more than a few seconds, which `make test-deep` runs."""
+
+
+def slow(calculation: Calculation) -> Calculation:
+    """Leave a calculation to the deep tests."""
+    SLOW.add(calculation)
+    return calculation
+
 
 def source(chapter: str) -> str:
     """The chapter as written; no-break spaces count as spaces, links as their words, symbols have
