@@ -121,11 +121,10 @@ def prepare(scene_id: str) -> None:
     load_scene(scene_id)
 
 
-def _cache_of(figure: str, scene: Scene[Any]) -> StageCache:
-    """The figure's cache, for the outputs at rest, of the draft, and of each of the scene's own
-    drafts."""
+def _cache_of(figure: str) -> StageCache:
+    """The figure's cache, for the outputs at rest and of two levels while something moves."""
     if figure not in _caches:
-        _caches[figure] = StageCache(depth=StageCache().depth + len(scene.own_drafts))
+        _caches[figure] = StageCache(depth=3)
     return _caches[figure]
 
 
@@ -194,10 +193,10 @@ def read(scene_id: str, picture: Any) -> str:
     scene that reads none or data that are not JSON.
     """
     scene = load_scene(scene_id)
-    if scene.read is None:
+    if scene.instrument.read is None:
         raise TypeError(f"scene {scene_id!r} reads no photographs; legal: one with `read`")
     try:
-        data = dict(scene.read(photograph_from_page(picture)))
+        data = dict(scene.instrument.read(photograph_from_page(picture)))
     except UnfitError as error:
         return json.dumps({"unfit": str(error)}, ensure_ascii=False)
     return json.dumps({"data": data}, ensure_ascii=False, allow_nan=False)
@@ -205,7 +204,7 @@ def read(scene_id: str, picture: Any) -> str:
 
 def sample(scene_id: str, name: str) -> bytes:
     """PNG of a simulated photograph to try a scene with. Raises `KeyError` for an unknown name."""
-    return png(opaque(load_scene(scene_id).samples[name]()))
+    return png(opaque(load_scene(scene_id).instrument.samples[name]()))
 
 
 def readings(figure: str, kept: str) -> None:
@@ -220,7 +219,7 @@ def readings(figure: str, kept: str) -> None:
 def export(figure: str, scene_id: str, values: str, tier: str, name: str) -> str:
     """The text of one of the scene's files. Raises `KeyError` for an unknown name."""
     scene, request = _request(figure, scene_id, values, tier)
-    makers = {entry.name: entry.make for entry in scene.exports}
+    makers = {entry.name: entry.make for entry in scene.instrument.exports}
     if name not in makers:
         raise KeyError(f"export {name!r}; legal: {', '.join(makers) or 'none'}")
     return makers[name](request[0], scene.run(*request).outputs)
@@ -234,8 +233,8 @@ def sheet(figure: str, scene_id: str, values: str, tier: str) -> str:
     """
     scene, request = _request(figure, scene_id, values, tier)
     outputs = scene.run(*request).outputs
-    lines = scene.sheet(request[0], outputs) if scene.sheet else ()
-    measured = scene.measured(outputs) if scene.measured else None
+    lines = scene.instrument.sheet(request[0], outputs) if scene.instrument.sheet else ()
+    measured = scene.instrument.measured(outputs) if scene.instrument.measured else None
     return json.dumps({"lines": [asdict(line) for line in lines], "measured": measured})
 
 
@@ -245,10 +244,10 @@ def develop(figure: str, scene_id: str, values: str, tier: str, picture: Any) ->
     Raises `TypeError` if the scene cannot.
     """
     scene, request = _request(figure, scene_id, values, tier)
-    if scene.develop is None:
+    if scene.instrument.develop is None:
         raise TypeError(f"scene {scene_id!r} develops no photographs; legal: one with `develop`")
     outputs = scene.run(*request).outputs
-    return opaque(scene.develop(photograph_from_page(picture), request[0], outputs))
+    return opaque(scene.instrument.develop(photograph_from_page(picture), request[0], outputs))
 
 
 def _request(
@@ -261,7 +260,7 @@ def _request(
         scene, cache = copy_of(figure, scene_module(scene_id), edits)
     else:
         scene = load_scene(scene_id)
-        cache = _cache_of(figure, scene)
+        cache = _cache_of(figure)
     settings = scene.clamp(json.loads(values))
     return scene, (settings, tier, cache, _photographs.get(figure), _readings.get(figure, ()))
 

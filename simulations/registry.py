@@ -71,15 +71,14 @@ def load_ladder(ladder_id: str) -> Ladder:
     return _value(ladder_id, module, "LADDER", Ladder)
 
 
-def tier_labels(
+def level_labels(
     scene: Scene[Any], load: Callable[[str], Ladder] = load_ladder
 ) -> tuple[tuple[str, str], ...]:
-    """Each tier and what the reader sees of it: the scene's own words, or its ladder's."""
-    labels = dict(scene.tier_labels)
-    if scene.ladder:
-        ladder = load(scene.ladder)
-        labels = {tier.id: tier.label for tier in ladder.tiers} | labels
-    return tuple((tier, labels[tier]) for tier in scene.tiers)
+    """Each level's name and label: the scene's own words, or its ladder's."""
+    accuracy = scene.accuracy
+    tiers = load(accuracy.ladder).tiers if accuracy.ladder else ()
+    labels = {tier.id: tier.label for tier in tiers}
+    return tuple((level.name, level.label or labels[level.name]) for level in accuracy.levels)
 
 
 def scene_module(scene_id: str) -> str:

@@ -19,7 +19,7 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.notebook.controls import Widget, described, mover, widget_of
 from simulations.notebook.picture import frame_svg
-from simulations.registry import load_scene, tier_labels
+from simulations.registry import level_labels, load_scene
 
 STYLE = Path(__file__).with_name("style.css")
 """Written beside this module by ``python -m site_builder notebooks``, from the site's own."""
@@ -34,7 +34,7 @@ def figure(scene_id: str, /, *, tier: str = "", **values: object) -> "Figure":
     Raises `UnknownIdError`, and `ControlError` for values that its controls do not have.
     """
     scene = load_scene(scene_id)
-    return Figure(scene, scene.check(values), tier or scene.default_tier)
+    return Figure(scene, scene.check(values), tier or scene.accuracy.default)
 
 
 class Figure:
@@ -77,12 +77,12 @@ class Figure:
                 driven = controls[control.drives]
                 assert isinstance(driven, Slider)  # which a scene checks
                 made[name] = mover(control, driven, made[control.drives])
-        if self.scene.tiers:
+        if self.scene.accuracy.names:
             made["tier"] = self._menu_of_tiers()
         return made
 
     def _menu_of_tiers(self) -> Widget:
-        options = [(label, tier) for tier, label in tier_labels(self.scene)]
+        options = [(label, tier) for tier, label in level_labels(self.scene)]
         menu = widgets.Dropdown(value=self.tier, options=options, **described("tier"))
         menu.observe(self._set_tier, "value")
         return menu

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.engine.accuracy import tiers
 from simulations.engine.drawing import Point, cased, circle, dot, line, polyline, text
 from simulations.engine.frame import Panel, Raster, Readout, format_magnitude
 from simulations.engine.handles import Handle
@@ -173,10 +174,10 @@ LIT: Mapping[str, Callable[[Body], Floats]] = {
     "blended-normals-16": lambda body: blend_normals(corner_normals(body, 16), *body.inner.shape),
 }
 DEFAULT_TIER = "phong"
-TIER_LABELS = {
-    "phong": "Light in every pixel",
-    "blended-normals-16": "Normals at 16 × 16 cells",
-}
+LEVELS = tiers(
+    *LIT,
+    labels={"phong": "Light in every pixel", "blended-normals-16": "Normals at 16 × 16 cells"},
+)
 
 
 def lit_normals(body: Body, tier: str) -> Floats:

@@ -34,11 +34,12 @@ COLUMNS, ROWS = 264, 176
 PITCH_MM = SENSOR_WIDTH_MM / COLUMNS
 """A pixel of this picture is as wide as some twenty of a real sensor: coarse enough to be seen."""
 FARTHEST_M = 10.0
-"""Focus of the draft `SCALED`, metres: the end of the slider, so that the picture at any other
+"""Focus of the level `SCALED`, metres: the end of the slider, so that the picture at any other
 focus is an enlarged part of this one."""
 SCALED = "scaled"
-"""The draft while the focus moves: one sharp picture is blurred anew and enlarged as the lens
-breathes. A draft of fewer pixels would look out of focus everywhere."""
+SCALED_LABEL = "One picture, blurred and enlarged"
+"""The level at which another focus costs least: one sharp picture is blurred anew and enlarged as
+the lens breathes. One of fewer pixels would look out of focus everywhere."""
 SHARP_PX = 0.3
 """Blur is skipped if the widest disc of confusion is at most this many pixels wide. The RMS error
 against 37 rays through the lens is then at most half a code of 255, measured at four lenses and
@@ -122,9 +123,9 @@ def pinhole_rays(
     return Rays(pinhole.pixel_rays(K, columns, rows), np.ones((rows, columns), bool))
 
 
-def drawing_of(draft: bool, focal_length: float, focus: float) -> dict[str, Value]:
+def drawing_of(scaled: bool, focal_length: float, focus: float) -> dict[str, Value]:
     """Parameters of the stages: the focus that the picture is drawn at, and its magnification."""
-    drawn = max(FARTHEST_M, focus) if draft else focus
+    drawn = max(FARTHEST_M, focus) if scaled else focus
     larger = principal_mm(focal_length, focus) / principal_mm(focal_length, drawn)
     return {"drawn_focus": drawn, "enlarged": larger}
 

@@ -10,9 +10,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.drawing import cased, line, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
@@ -290,8 +292,7 @@ SCENE = Scene(
     draw,
     STAGES,
     HANDLES,
-    (balloon.WIDTH, balloon.HEIGHT),
-    ladder="demosaicing",
-    estimate=estimate,
+    instrument=Instrument(photograph=(balloon.WIDTH, balloon.HEIGHT)),
+    accuracy=Accuracy(ladder="demosaicing", estimate=estimate),
     formula=demosaicing.bilinear,
 )

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from simulations.engine import drawing
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, matrix_readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
@@ -30,12 +31,11 @@ from simulations.models.projection.pinhole import (
 )
 from simulations.scenes._turned_camera import view_from
 from simulations.world import plan
-from simulations.world.room import COLUMNS, DRAFT_COLUMNS, HIGH, NAMES, ROOM, photograph
+from simulations.world.room import HIGH, LEVELS, NAMES, ROOM, photograph
 
 LAMP = np.array([2.0, -1.0, 5.0])  # 1 m above the camera
 ROOM_TO_WORLD = rigid_pose([(0, -1, 0), (0, 0, -1), (1, 0, 0)], (7.5, 1.5, 2.0))
 """From the axes of the room, right, ahead and up, to this scene's world."""
-DRAFT = "draft"  # the picture while the camera moves
 FIELD_RAD = math.radians(60.0)  # the camera's field of view
 FLOOR_Y = float(ROOM_TO_WORLD[1, 3])  # metres below the camera
 AXIS_M = 2.5  # drawn length of axes
@@ -363,7 +363,6 @@ SCENE = Scene(
         ),
         turning("world"),
     ),
-    parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
-    own_drafts={DRAFT: ("pan", *MOVES)},
+    accuracy=Accuracy(levels=LEVELS),
     formula=world_to_camera,
 )

@@ -13,6 +13,7 @@ from simulations.engine.drawing import rectangle, text
 from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
@@ -220,8 +221,10 @@ SCENE = Scene(
             reversed=("down",),
         ),
     ),
-    exports=(
-        Export("board", "PDF to print", ".pdf", as_pdf),
-        Export("chequerboard", "SVG", ".svg", as_svg),
+    instrument=Instrument(
+        exports=(
+            Export("board", "PDF to print", ".pdf", as_pdf),
+            Export("chequerboard", "SVG", ".svg", as_svg),
+        )
     ),
 )

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.frame import (
     Frame,
     Panel,
@@ -51,7 +52,6 @@ LOST = 1e-6  # singular value below which a direction of rotation counts as lost
 
 SIGHT = WIDTH, HEIGHT = 400.0, 340.0  # of the picture
 MIDDLE = np.array([WIDTH / 2.0, HEIGHT / 2.0])
-DRAFT = "draft"  # of the picture, at half its size
 FOCAL = 260.0  # in view box units: the picture is 75° wide
 NEAREST = 0.05
 """Cosine of the largest angle from the line of sight at which anything is drawn."""
@@ -205,10 +205,11 @@ def pictured(C: Floats, directions: Floats) -> Floats:
     )
 
 
-def draw_sky(pan: float, tilt: float, roll: float, fine: float) -> Raster:
-    """The night that the camera sees, with ``fine`` pixels per view box unit; angles in degrees."""
+def draw_sky(pan: float, tilt: float, roll: float, columns: int) -> Raster:
+    """The night that the camera sees, ``columns`` pixels wide; angles in degrees."""
     C = euler.to_matrix("YXZ", np.radians([pan, tilt, roll]))
-    rows, columns = round(fine * HEIGHT), round(fine * WIDTH)
+    fine = columns / WIDTH  # pixels per view box unit
+    rows = round(fine * HEIGHT)
     y, x = ((np.mgrid[:rows, :columns] + 0.5) / fine - MIDDLE[::-1, None, None]).astype(
         "f4"
     ) / FOCAL
@@ -354,7 +355,6 @@ SCENE = Scene(
         ring_handle(2, "roll", "ray"),
         turning("gimbal"),
     ),
-    parameters=lambda _, tier: {"fine": 0.5 if tier == DRAFT else 1.0},
-    own_drafts={DRAFT: ("pan", "tilt", "roll")},
+    accuracy=Accuracy(levels=columns(100, 200, 400)),
     formula=euler.to_matrix,
 )

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.drawing import cased, dot, path, rectangle, text
 from simulations.engine.frame import (
     Frame,
@@ -17,6 +18,7 @@ from simulations.engine.frame import (
     readout,
 )
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
@@ -339,10 +341,9 @@ SCENE = Scene(
             "ray",
         ),
     ),
-    (COLUMNS_PX, ROWS_PX),
-    tiers=tuple(TRANSFORMS),
-    default_tier="separable",
-    ladder="block-dct",
-    estimate=estimate,
+    instrument=Instrument(photograph=(COLUMNS_PX, ROWS_PX)),
+    accuracy=Accuracy(
+        levels=tiers(*TRANSFORMS), default="separable", ladder="block-dct", estimate=estimate
+    ),
     formula=quantise_plane,
 )

@@ -14,6 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.drawing import circle, dot, line, path, text
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.handles import Handle, Point
@@ -283,9 +284,8 @@ SCENE = Scene(
         ),
         turning("blend"),
     ),
-    tiers=tuple(BLENDS),
-    default_tier="slerp",
-    ladder="rotation-interpolation",
-    estimate=estimate,
+    accuracy=Accuracy(
+        levels=tiers(*BLENDS), default="slerp", ladder="rotation-interpolation", estimate=estimate
+    ),
     formula=slerp,
 )

@@ -12,6 +12,7 @@ import numpy as np
 from simulations.engine.drafting import tinted
 from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
@@ -223,6 +224,6 @@ SCENE = Scene(
     draw,
     STAGES,
     (_spectra.SURFACE,),
-    PHOTOGRAPH_PX,
+    instrument=Instrument(photograph=PHOTOGRAPH_PX),
     formula=exposed,
 )

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Raster, format_number
 from simulations.engine.handles import Handle, Point
@@ -33,8 +34,7 @@ from simulations.world.depth import depth_met
 from simulations.world.layers import LitScene
 from simulations.world.things import THINGS, thing_depth
 
-DRAFT = "draft"  # the picture while a control moves
-COLUMNS, DRAFT_COLUMNS = 800, 400  # pixels across; half as many down
+COLUMNS = 800  # pixels across at rest; half as many down
 WIDTH, HEIGHT = 800.0, 400.0  # view box of the picture
 FOCAL_MM, FILM_WIDTH_MM = 80.0, 76.0
 UNITS_PER_TANGENT = WIDTH * FOCAL_MM / FILM_WIDTH_MM  # view box units; of the angle from the axis
@@ -47,8 +47,8 @@ class Settings:
     light_angle: float = slider("Light angle", 40.0, -80.0, 80.0, 1.0, unit="°")
 
 
-def parameters(_settings: Settings, tier: str) -> Mapping[str, Value]:
-    return {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS, "back": 0.0, "enlarged": 1.0}
+def parameters(_settings: Settings, _level: str) -> Mapping[str, Value]:
+    return {"back": 0.0, "enlarged": 1.0}
 
 
 def pixel_rays(columns: int) -> Rays:
@@ -127,6 +127,6 @@ SCENE = Scene(
         Handle("aim", "picture", "Object to focus on", ("focus",), middle, aimed, "aim"),
         Handle("focus", "picture", "Focus", ("focus",), focus_at, role="ray"),
     ),
+    accuracy=Accuracy(levels=columns(200, 400, COLUMNS)),
     parameters=parameters,
-    own_drafts={DRAFT: ("focus", "aperture", "light_angle")},
 )

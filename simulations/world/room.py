@@ -17,6 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.engine.accuracy import columns
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats, Planes
@@ -31,8 +32,9 @@ from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
 
 type Identity = NDArray[np.uint8]
 
-COLUMNS, DRAFT_COLUMNS = 800, 160
-"""Rays across a `photograph`, at rest and while something moves."""
+COLUMNS = 800
+"""Rays across the finest `photograph`."""
+LEVELS = columns(160, 400, COLUMNS)
 
 LOW, HIGH = (-4.5, -5.0, 0.0), (4.5, WALL_DISTANCE, 3.4)
 """Corners of the room, metres."""

@@ -130,7 +130,7 @@ def browser_parts(
     if bundle and book.scenes:
         lost = "the figures' Python can be read but not edited"
         editor = part(bundle_editor, editor, "editor", lost)
-    if bundle and any(scene.measures_photographs for scene in book.scenes):
+    if bundle and any(scene.instrument.measures_photographs for scene in book.scenes):
         decoder = part(fetch_decoder, decoder, "raw", "instruments open no raw files")
     runtime, files = _runtime(bundle, warn, reload=reload)
     bundle = bundle or RuntimeBundle({}, Versions())

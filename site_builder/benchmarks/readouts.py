@@ -38,9 +38,9 @@ class Readouts:
         """The readout at ``settings``: values of controls, and ``tier``; with its unit unless
         ``bare``. Raises `ReadoutError`."""
         scene = loaded("simulation", scene_id, self.load_scene, ReadoutError)
-        tier = settings.get("tier", scene.default_tier)
-        if tier not in scene.tiers and tier != scene.default_tier:
-            raise ReadoutError(unknown(f"tier of {scene_id}", tier, scene.tiers))
+        tier = settings.get("tier", scene.accuracy.default)
+        if tier not in scene.accuracy.names and tier != scene.accuracy.default:
+            raise ReadoutError(unknown(f"tier of {scene_id}", tier, scene.accuracy.names))
         controls = {control: value for control, value in settings.items() if control != "tier"}
         shown = _find(scene_id, name, self._frame(scene, tier, controls))
         if "\n" in shown.text:

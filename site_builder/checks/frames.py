@@ -43,7 +43,7 @@ def check_frames(
         scene = still.figure.scene
         if fault := formula_fault(scene):
             problems.add(path, line, f"{scene.id}: {fault}")
-        names = [control.name for control in scene.controls] + ["tier"] * bool(scene.tiers)
+        names = [control.name for control in scene.controls] + ["tier"] * bool(scene.accuracy.names)
         names += [readout.name for readout in still.frame.readouts]
         for name in still.figure.in_sight:
             if name not in names:

@@ -118,9 +118,9 @@ def _small_frames(
 
 def _reports(scene: Scene[Any], start: Values, moved: Values) -> tuple[StageReport, ...]:
     cache = StageCache()
-    reports = scene.run(scene.check(start), scene.default_tier, cache).reports
+    reports = scene.run(scene.check(start), scene.accuracy.default, cache).reports
     if moved:
-        reports = scene.run(scene.check({**start, **moved}), scene.default_tier, cache).reports
+        reports = scene.run(scene.check({**start, **moved}), scene.accuracy.default, cache).reports
     return reports
 
 

@@ -278,7 +278,7 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
     except CodeError as error:
         problems.add(OUTLINE, line, str(error), raised_by_code(error))
         return None
-    name, tier = f"figure-{scene.id}", scene.default_tier
+    name, tier = f"figure-{scene.id}", scene.accuracy.default
     return Simulation(scene, name, {}, tier, caption, OUTLINE, line)
 
 

@@ -37,7 +37,7 @@ MOVES: dict[str, Value] = {
 def time_frame(given: dict[str, Value], cache: StageCache) -> float:
     settings = SCENE.check(given)
     begun = time.process_time()
-    SCENE.render(settings, SCENE.default_tier, cache)
+    SCENE.render(settings, SCENE.accuracy.default, cache)
     return (time.process_time() - begun) * 1e3
 
 

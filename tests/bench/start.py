@@ -93,7 +93,8 @@ from simulations.engine.stages import StageCache
 from MODULE import SCENE
 cache = StageCache()
 def frame(name=None, value=None):
-    values, tier = ({}, SCENE.default_tier) if name is None else ({name: value}, SCENE.draft_tier)
+    accuracy, values = SCENE.accuracy, {} if name is None else {name: value}
+    tier = accuracy.default if name is None else accuracy.cheapest
     return SCENE.render(SCENE.check(values), tier, cache)
 frame`);
   const show = ({panels}) => {

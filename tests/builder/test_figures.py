@@ -11,13 +11,14 @@ from support.little_book import DEMO, OUTLINE, MakeBook, diagnostics, rendered
 from support.places import ROOT
 from support.toy_ladder import toy_ladder
 
+from simulations.engine.accuracy import Accuracy, columns, tiers
 from simulations.engine.drawing import line, text
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
-from simulations.registry import tier_labels
+from simulations.registry import level_labels
 from site_builder.build import Options
 from site_builder.checks import frames as frame_checks
 from site_builder.document.blocks import Simulation
@@ -235,8 +236,8 @@ class Empty:
     """No controls."""
 
 
-def test_tiers_are_labelled_by_their_scene_or_their_ladder() -> None:
-    scene = Scene("s", "S", Empty, draw, tiers=("rough", "fine"), default_tier="fine", ladder="toy")
-    assert tier_labels(scene, toy_ladder) == (("rough", "Rough"), ("fine", "Fine"))
-    named = replace(scene, tier_labels={"fine": "In every pixel"})
-    assert tier_labels(named, toy_ladder) == (("rough", "Rough"), ("fine", "In every pixel"))
+def test_levels_are_labelled_by_their_scene_or_their_ladder() -> None:
+    levels = (*tiers("rough", "fine", labels={"fine": "In every pixel"}), *columns(100))
+    scene = Scene("s", "S", Empty, draw, accuracy=Accuracy(levels=levels, ladder="toy"))
+    labels = (("rough", "Rough"), ("fine", "In every pixel"), ("100", "100 columns"))
+    assert level_labels(scene, toy_ladder) == labels

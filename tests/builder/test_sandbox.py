@@ -197,8 +197,11 @@ def test_a_copy_of_a_scene_has_what_the_builder_reads(scene_id: str) -> None:
     copy = unpacked(packed(scene))
     assert copy.controls == scene.controls
     assert values_of(copy.check({})) == values_of(scene.check({}))
-    for name in ("title", "tiers", "draft_tier", "photograph", "ladder", "measures_photographs"):
-        assert getattr(copy, name) == getattr(scene, name)
+    assert copy.title == scene.title
+    for name in ("names", "default", "ladder"):
+        assert getattr(copy.accuracy, name) == getattr(scene.accuracy, name)
+    for name in ("photograph", "measures_photographs"):
+        assert getattr(copy.instrument, name) == getattr(scene.instrument, name)
     assert [each.drives for each in copy.handles] == [each.drives for each in scene.handles]
 
 

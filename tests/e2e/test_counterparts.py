@@ -162,11 +162,8 @@ def drawings(scene: Scene[Any]) -> list[list[str]]:
     sliders = [control for control in scene.controls if isinstance(control, Slider)]
     low = {slider.name: slider.minimum for slider in sliders}
     high = {slider.name: slider.maximum for slider in sliders}
-    cache = StageCache()
-    shown = [
-        scene.render(scene.clamp(given), scene.draft_tier, cache).panels
-        for given in ({}, low, high, {})
-    ]
+    cache, level = StageCache(), scene.accuracy.cheapest
+    shown = [scene.render(scene.clamp(given), level, cache).panels for given in ({}, low, high, {})]
     return [[panel.overlay for panel in panels] for panels in zip(*shown, strict=True)]
 
 

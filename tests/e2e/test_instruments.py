@@ -70,12 +70,14 @@ def dng_files() -> list[bytes]:
 def transfer_sheet(photographs: Sequence[Photograph]) -> list[list[str]]:
     """The lines of the photon-transfer data sheet, computed in CPython."""
     scene = load_scene("photon-transfer")
-    assert scene.read
-    assert scene.sheet
-    readings = tuple(Reading(one.number, one.name, scene.read(one)) for one in photographs)
+    assert scene.instrument.read
+    assert scene.instrument.sheet
+    readings = tuple(
+        Reading(one.number, one.name, scene.instrument.read(one)) for one in photographs
+    )
     settings = scene.check({})
     outputs = scene.run(settings, "", StageCache(), None, readings).outputs
-    return [[line.label, line.text] for line in scene.sheet(settings, outputs)]
+    return [[line.label, line.text] for line in scene.instrument.sheet(settings, outputs)]
 
 
 def sheet_of_even_light() -> list[list[str]]:
@@ -175,8 +177,8 @@ def slanted_edge_sheet(name: str, given: dict[str, Any]) -> list[list[str]]:
     facts = {"full_width": codes.shape[1], "full_height": codes.shape[0]}
     settings, own = scene.check(given), Photograph(1, codes, name, facts)
     outputs = scene.run(settings, "", StageCache(), own).outputs
-    assert scene.sheet
-    return [[line.label, line.text] for line in scene.sheet(settings, outputs)]
+    assert scene.instrument.sheet
+    return [[line.label, line.text] for line in scene.instrument.sheet(settings, outputs)]
 
 
 def test_photographs_are_measured_viewed_removed_refused_and_stored(
@@ -410,14 +412,14 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
 def calibration_file(boards: Sequence[Codes]) -> dict[str, Any]:
     """The calibration's JSON file, computed in CPython."""
     scene = load_scene("calibration")
-    assert scene.read
+    assert scene.instrument.read
     readings = tuple(
-        Reading(index, f"board {index}.png", scene.read(Photograph(index, codes)))
+        Reading(index, f"board {index}.png", scene.instrument.read(Photograph(index, codes)))
         for index, codes in enumerate(boards)
     )
     settings = scene.check({"photographs": 20, "lens": "supported"})
     outputs = scene.run(settings, "", StageCache(), None, readings).outputs
-    (made,) = (export for export in scene.exports if export.suffix == ".json")
+    (made,) = (export for export in scene.instrument.exports if export.suffix == ".json")
     read: dict[str, Any] = json.loads(made.make(settings, outputs))
     return read
 

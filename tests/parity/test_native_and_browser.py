@@ -65,8 +65,10 @@ def test_tiers_and_ends_of_controls_are_the_same_in_the_browser(
 ) -> None:
     scene = load_scene(scene_id)
     moved = [{control.name: value} for control in scene.controls for value in ends(control)]
-    at_ends = [(values, scene.default_tier) for values in moved]
-    assert_same_in_browser(resident, scene_id, [*(({}, tier) for tier in scene.tiers), *at_ends])
+    at_ends = [(values, scene.accuracy.default) for values in moved]
+    assert_same_in_browser(
+        resident, scene_id, [*(({}, tier) for tier in scene.accuracy.names), *at_ends]
+    )
 
 
 def assert_same_in_browser(

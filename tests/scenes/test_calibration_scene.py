@@ -38,7 +38,7 @@ def test_printed_board_has_squares_and_a_bar_of_true_size(
     series: str, paper: tuple[float, float]
 ) -> None:
     settings = CHEQUERBOARD.check({"side": 23, "across": 10, "down": 6, "series": series})
-    pdf, svg = (export.make(settings, {}) for export in CHEQUERBOARD.exports)
+    pdf, svg = (export.make(settings, {}) for export in CHEQUERBOARD.instrument.exports)
     assert ET.fromstring(svg).get("width") == "276mm"
     reader = PdfReader(io.BytesIO(pdf.encode("ascii")), strict=True)
     (page,) = reader.pages
@@ -219,7 +219,7 @@ def test_too_few_photographs_are_refused_everywhere(
     for word in words:
         assert all(word in text for text in (out.description, lines, *plots))
     with pytest.raises(UnfitError, match="At least 3"):
-        SCENE.exports[0].make(Settings(), outputs)
+        SCENE.instrument.exports[0].make(Settings(), outputs)
 
 
 def test_sheet_and_readout_use_the_supported_model() -> None:
@@ -235,7 +235,7 @@ def test_sheet_and_readout_use_the_supported_model() -> None:
 def test_files_sheet_and_developed_photograph_use_the_same_camera() -> None:
     settings, given = Settings(photographs=8, lens="p1p2"), readings(8)
     outputs = outputs_of(settings, given)
-    yaml, text, xml = (export.make(settings, outputs) for export in SCENE.exports)
+    yaml, text, xml = (export.make(settings, outputs) for export in SCENE.instrument.exports)
     saved = json.loads(text)
     assert f"{saved['camera']['fx']:.17g}" in yaml
     assert [p["name"] for p in saved["photographs"]] == [f"{index}.jpg" for index in range(8)]
@@ -251,5 +251,5 @@ def test_files_sheet_and_developed_photograph_use_the_same_camera() -> None:
     assert lines["worst"] == f"{worst['rms_px']:.3f} px, {worst['name']}"
     assert float(lines["stated"]) == pytest.approx(26 * 800 / 43.27, abs=1)
     codes = np.random.default_rng(0).integers(0, 255, (960, 1280, 3)).astype(np.uint8)
-    assert SCENE.develop
-    assert SCENE.develop(Photograph(0, codes), settings, outputs).shape == codes.shape
+    assert SCENE.instrument.develop
+    assert SCENE.instrument.develop(Photograph(0, codes), settings, outputs).shape == codes.shape

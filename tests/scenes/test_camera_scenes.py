@@ -9,6 +9,7 @@ from scipy.spatial.transform import Rotation
 from support.frames import estimates_of, frame_of, outputs_of, texts_of
 
 from simulations.models.geometry import euler
+from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.models.projection.pinhole import intrinsics, look_at, pixel_rays
 from simulations.scenes._turned_camera import view_from
 from simulations.scenes.camera_pose import HEIGHT, WALLS, WIDTH, space, standpoint, to_camera
@@ -95,7 +96,7 @@ def test_half_a_turn_does_not_depend_on_rounding(pan: float) -> None:
     np.testing.assert_array_equal(orientation(pan, 0.0, 0.0).q, [0, 0, 1, 0])
 
 
-@pytest.mark.parametrize("tier", ROTATION.tiers)
+@pytest.mark.parametrize("tier", BLENDS)
 def test_camera_follows_the_arc_or_the_chord_of_its_tier(tier: str) -> None:
     """At a fifth of the way, as all tiers agree at half; at 170° a chord errs by degrees."""
     turned = paths(orientation(170.0, 0.0, 0.0), tier)["slerp"](0.2)
@@ -120,9 +121,9 @@ def test_nlerp_errs_by_the_chord_and_exact_tiers_by_nothing() -> None:
         return estimates_of(ROTATION, tier, **given)[-1].text
 
     assert error_of("nlerp", pan=180, tilt=0, roll=0) == f"{off.max():.2f}"
-    below, _, straight, *_ = (error_of(tier, pan=3, tilt=0, roll=0) for tier in ROTATION.tiers)
+    below, _, straight, *_ = (error_of(tier, pan=3, tilt=0, roll=0) for tier in BLENDS)
     assert below == straight, "3° is below the threshold: the straight line"
-    assert [error_of(tier, pan=120) for tier in ROTATION.tiers[2:]] == ["under 10⁻¹²"] * 2
+    assert [error_of(tier, pan=120) for tier in list(BLENDS)[2:]] == ["under 10⁻¹²"] * 2
 
 
 @pytest.mark.parametrize("share", [0.0, 0.2, 0.5, 0.9, 1.0])

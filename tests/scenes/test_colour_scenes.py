@@ -119,7 +119,7 @@ def test_loupe_shows_the_chosen_part(split: float, column: int, row: int) -> Non
 
 
 def test_figure_and_ladder_agree() -> None:
-    ladder = load_ladder(BAYER.ladder)
+    ladder = load_ladder(BAYER.accuracy.ladder)
     work = ladder.prepare()
     truth = ladder.reference(work)
     for metric in ladder.metrics:

@@ -35,7 +35,7 @@ def copy_with(module: str, edits: dict[str, str]) -> Scene[Any]:
 
 
 def content_of(scene: Scene[Any]) -> object:
-    return content(scene.render(scene.clamp({}), scene.draft_tier, StageCache()))
+    return content(scene.render(scene.clamp({}), scene.accuracy.cheapest, StageCache()))
 
 
 @pytest.mark.parametrize(

@@ -55,7 +55,7 @@ class Outputs(Mapping[str, Any]):
         return len(self._run(self._scene))
 
     def _run(self, scene: Scene[Any]) -> Mapping[str, Any]:
-        return scene.run(self._settings, scene.default_tier, self._cache).outputs
+        return scene.run(self._settings, scene.accuracy.default, self._cache).outputs
 
 
 @dataclass(frozen=True)

@@ -22,7 +22,7 @@ from simulations.scenes.lens_distortion.stages import (
     pixel_radii,
 )
 
-TIER = SCENE.default_tier
+TIER = SCENE.accuracy.default
 UNUSED = Photo(np.zeros(()), np.zeros(()))  # only an ideal lens reads it
 
 

@@ -73,7 +73,10 @@ GREY = [
     for k, level in enumerate((0.0, *LEVELS))
     for i in (0, 1)
 ]
-SAMPLES = [photograph(k, opaque(make())[..., :3]) for k, make in enumerate(SCENE.samples.values())]
+SAMPLES = [
+    photograph(k, opaque(make())[..., :3])
+    for k, make in enumerate(SCENE.instrument.samples.values())
+]
 RAW = [raw(2 * k + i, pair[i]) for k, pair in enumerate(pairs_of(256, 7)) for i in (0, 1)]
 
 
@@ -169,8 +172,8 @@ LIKE_CELLS = np.repeat(CELLS[0, ..., None] // 16, 3, axis=2).astype(np.uint8)
 def test_unlike_photographs_make_no_pair(photographs: list[Photograph], left_over: int) -> None:
     outputs = measured(photographs)
     assert outputs["frames"].left_over == left_over
-    assert SCENE.measured
-    assert SCENE.measured(outputs) == (1, 2)
+    assert SCENE.instrument.measured
+    assert SCENE.instrument.measured(outputs) == (1, 2)
     lines = [line.name for line in sheet(SCENE.check({}), outputs)]
     assert lines.index("left_over") <= 3  # in sight
 
@@ -210,7 +213,9 @@ def test_large_photograph_is_cut_to_256_pixels() -> None:
 
 def test_files_agree_with_the_figure() -> None:
     outputs = outputs_of(SCENE)
-    files = {export.name: export.make(SCENE.check({}), outputs) for export in SCENE.exports}
+    files = {
+        export.name: export.make(SCENE.check({}), outputs) for export in SCENE.instrument.exports
+    }
     rows = list(csv.DictReader(io.StringIO(files["photon-transfer"])))
     assert (len(rows), sum(int(row["fitted"]) for row in rows)) == (12, 8)
     sensor = json.loads(files["sensor"])["planes"]["simulated"]

@@ -30,7 +30,7 @@ from simulations.scenes.lambertian_shading import SCENE as LAMBERTIAN
 from simulations.scenes.phong.scene import ALBEDO, lobe
 from simulations.scenes.phong.scene import SCENE as PHONG
 from simulations.scenes.second_bounce import room
-from simulations.scenes.second_bounce.scene import FINE
+from simulations.scenes.second_bounce.scene import COLUMNS
 from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
 
 BODIES = {LAMBERTIAN.id: build_ball(), PHONG.id: build_vase()}
@@ -137,7 +137,7 @@ def test_ball_lobe_and_readouts_show_the_same_brdf(model: str, light: int, view:
 
 def in_room(at: tuple[float, float, float], **given: object) -> Floats:
     """Linear RGB of the picture at a place in the room."""
-    x, y = (int(FINE * each) for each in room.project(at))
+    x, y = (int(COLUMNS / room.SIZE * each) for each in room.project(at))
     red, green, blue, _ = pixels_of(frame_of(BOUNCE, **given))[y, x].tolist()
     return decode_srgb(np.array([red, green, blue]) / 255.0)
 
@@ -164,11 +164,11 @@ def test_room_has_the_brightness_of_the_curves(bounces: str) -> None:
 
 def test_ball_gets_as_much_light_from_an_even_room_as_a_wall() -> None:
     arriving = room.light_on_ball() @ np.ones(6 * CELLS**2)
-    view = room.view(FINE)
+    view = room.view(COLUMNS)
     np.testing.assert_allclose(view.basis @ arriving, 1.0, atol=0.02)
     under = room.project((float(room.CENTRE[0]), 0.0, float(room.CENTRE[2]) + room.RADIUS))
-    x, y = (int(FINE * each) for each in under)
+    x, y = (int(COLUMNS / room.SIZE * each) for each in under)
     square = 2 * room.RADIUS**2
     expected = room.RADIUS**3 / square**1.5
-    shown = view.hidden.reshape([round(room.SIZE * FINE)] * 2)
+    shown = view.hidden.reshape([COLUMNS] * 2)
     assert shown[y + 1, x] == pytest.approx(expected, rel=0.1)

@@ -138,11 +138,11 @@ def test_refused_edge_gives_neither_sheet_nor_file() -> None:
     assert "Too little contrast" in frame_of(SCENE, x=20).panels[0].overlay
     assert sheet(settings, outputs) == ()
     with pytest.raises(UnfitError, match="contrast"):
-        SCENE.exports[0].make(settings, outputs)
+        SCENE.instrument.exports[0].make(settings, outputs)
 
 
 def test_files_agree_with_the_figure() -> None:
-    made = {e.name: e.make(SCENE.check({}), outputs_of(SCENE)) for e in SCENE.exports}
+    made = {e.name: e.make(SCENE.check({}), outputs_of(SCENE)) for e in SCENE.instrument.exports}
     found = json.loads(made["sharpness"])
     assert f"{found['rectangle']['mtf50_cycles_per_px']:.3f}" == texts_at(SCENE)["per_px"]
     assert found["kept"] == []
@@ -167,6 +167,6 @@ def test_kept_places_appear_in_picture_sheet_and_file() -> None:
     values = [float(line.text.partition(" ± ")[0]) for line in lines]
     assert values == pytest.approx(halves, abs=0.001)
     assert "28 %" in lines[0].label
-    (made,) = (each.make for each in SCENE.exports if each.name == "sharpness")
+    (made,) = (each.make for each in SCENE.instrument.exports if each.name == "sharpness")
     assert len(json.loads(made(settings, outputs))["kept"]) == 2
     assert SCENE.pull(settings, "forget", (0.0, 0.0)) == {"kept": ""}

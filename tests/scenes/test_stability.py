@@ -11,7 +11,7 @@ from simulations.models.distortion.lens_model import Distortion, undistort
 from simulations.models.lens.thin_lens import circle_of_confusion_mm
 from simulations.scenes.stability import errors as exact
 from simulations.scenes.stability.errors import DISTANCES, errors_of, unit_of
-from simulations.scenes.stability.pictures import DRAFT_COLUMNS, painted, pictures, room
+from simulations.scenes.stability.pictures import COLUMNS, painted, pictures, room
 from simulations.scenes.stability.scene import FORMATS, FORMULAS, SCENE
 
 
@@ -82,7 +82,7 @@ def test_error_bound_near_the_fold_has_slope_minus_one_half() -> None:
 
 @pytest.mark.parametrize("formula", FORMULAS)
 def test_rearranged_formula_keeps_a_picture_that_the_written_one_ruins(formula: str) -> None:
-    truth = painted(room(DRAFT_COLUMNS)).astype(int)
+    truth = painted(room(COLUMNS // 2)).astype(int)
     worst = [
         [np.abs(one.astype(int) - truth).max() for one in pictures(formula, digits, power, 100)]
         for digits, power in (("float64", -2.0), ("float64", -4.0), ("float32", -6.0))

@@ -1,7 +1,6 @@
 """Stages are recomputed only where they must be: every scene with stages, control by control."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -15,7 +14,6 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import Parameter, Stage, StageCache
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.registry import SCENE_MODULES, load_scene
-from simulations.scenes.camera import stages as camera_stages
 from simulations.scenes.depth_of_field import stages as depth_stages
 
 SCENES = {scene_id: load_scene(scene_id) for scene_id in SCENE_MODULES}
@@ -51,10 +49,10 @@ def frame_at(
 
 def parameters(scene: Scene[Any], given: Mapping[str, object]) -> dict[str, Parameter]:
     """All that stages may read, without photographs."""
-    settings, tier = scene.check(given), scene.default_tier
-    worked_out = scene.parameters(settings, tier) if scene.parameters else {}
+    settings, level = scene.check(given), scene.accuracy.level("")
+    worked_out = scene.parameters(settings, level.name) if scene.parameters else {}
     own: dict[str, Parameter] = {"photograph": None, "readings": ()}
-    return {**values_of(settings), "tier": tier, **own, **(worked_out or {})}
+    return {**values_of(settings), **level.parameters, **own, **(worked_out or {})}
 
 
 def affected_stages(
@@ -104,8 +102,8 @@ def walk(scene_id: str, *, every_value: bool) -> Iterator[dict[str, object]]:
 @pytest.fixture
 def few_rays(monkeypatch: pytest.MonkeyPatch) -> None:
     """Fewer rays through the lens: their number changes a picture's cost, not its dependencies."""
-    through_lens = replace(camera_stages.TIERS["aperture-rays"], lens_rays=2)
-    monkeypatch.setitem(camera_stages.TIERS, "aperture-rays", through_lens)
+    through_lens = SCENES["camera"].accuracy.level("aperture-rays")
+    monkeypatch.setitem(through_lens.gives, "lens_rays", 2)
     monkeypatch.setitem(depth_stages.SPIRALS, "fibonacci-16", fibonacci_disc(2))
 
 
@@ -118,7 +116,7 @@ def cold_start(scene_id: str, tier: str) -> Frame:
 WALKS = [
     pytest.param(name, tier, every, marks=pytest.mark.deep if every or tier else [])
     for name, scene in SCENES.items()
-    for tier in ("", *scene.tiers)
+    for tier in ("", *scene.accuracy.names)
     for every in ((False,) if tier else (False, True))
 ]
 
@@ -137,11 +135,13 @@ def test_warm_frame_is_bit_equal_to_a_cold_one(scene_id: str, tier: str, every_v
 
 
 @pytest.mark.usefixtures("few_rays")
-@pytest.mark.parametrize("scene_id", [name for name, scene in SCENES.items() if scene.tiers])
-def test_settled_frame_does_not_depend_on_earlier_drafts(scene_id: str) -> None:
-    """There and back through all tiers with a cache that holds them all."""
+@pytest.mark.parametrize(
+    "scene_id", [name for name, scene in SCENES.items() if scene.accuracy.levels]
+)
+def test_frame_does_not_depend_on_the_levels_before_it(scene_id: str) -> None:
+    """There and back through all levels with a cache that holds them all."""
     scene, given = SCENES[scene_id], START.get(scene_id, {})
-    for way in (scene.tiers, scene.tiers[::-1]):
+    for way in (scene.accuracy.names, scene.accuracy.names[::-1]):
         cache = StageCache(depth=len(way))
         for tier in way:
             assert_same(

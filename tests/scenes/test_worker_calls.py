@@ -43,8 +43,8 @@ def black_image(width: int, height: int) -> SimpleNamespace:
 
 def test_each_figure_keeps_its_photograph_until_it_is_removed() -> None:
     scene = load_scene("lens-distortion")
-    assert isinstance(scene.photograph, tuple)
-    width, height = scene.photograph
+    assert isinstance(scene.instrument.photograph, tuple)
+    width, height = scene.instrument.photograph
 
     def picture(figure: str) -> bytes:
         return b"".join(

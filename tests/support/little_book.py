@@ -14,6 +14,7 @@ from support.html_outline import outline, read_html
 from support.places import ROOT
 from support.toy_ladder import toy_data, toy_ladder
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.drafting import picture
 from simulations.engine.drawing import line, polygon, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
@@ -168,10 +169,7 @@ DEMO = Scene(
     settings=Settings,
     draw=draw_demo,
     stages=(Stage("sentence", tell),),
-    tiers=("fast", "exact"),
-    default_tier="exact",
-    draft_tier="fast",
-    tier_labels={"fast": "Fast", "exact": "Exact"},
+    accuracy=Accuracy(levels=tiers("fast", "exact", labels={"fast": "Fast", "exact": "Exact"})),
 )
 
 

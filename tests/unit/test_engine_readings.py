@@ -14,6 +14,7 @@ from PIL import Image
 from simulations import browser
 from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Panel, readout
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Photograph, Whole
 from simulations.engine.reading import Readings, UnfitError
 from simulations.engine.scene import Scene
@@ -56,7 +57,6 @@ def as_text(_settings: Settings, outputs: Outputs) -> str:
 
 STAGES = (Stage("mean", mean_of_all),)
 WHOLE: dict[str, Any] = {
-    "stages": STAGES,
     "photograph": Whole(),
     "read": mean_of,
     "samples": {"grey.png": lambda: np.array([[[7], [9]]], np.uint8)},
@@ -66,8 +66,8 @@ WHOLE: dict[str, Any] = {
 }
 
 
-def scene_of(**changed: Any) -> Scene[Any]:
-    return Scene("s", "S", **{"settings": Settings, "draw": draw, **changed})
+def scene_of(settings: Any = Settings, stages: Any = (), **instrument: Any) -> Scene[Any]:
+    return Scene("s", "S", settings, draw, stages, instrument=Instrument(**instrument))
 
 
 @pytest.fixture(autouse=True)
@@ -77,7 +77,7 @@ def use(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., None]]:
     def chosen(**parts: Any) -> None:
         monkeypatch.setattr(browser, "load_scene", lambda _id: scene_of(**parts))
 
-    chosen(**WHOLE)
+    chosen(stages=STAGES, **WHOLE)
     yield chosen
     browser.forget(FIGURE)
 
@@ -108,7 +108,7 @@ def test_raw_file_is_read_with_its_facts_and_cells(use: Callable[..., None]) -> 
         seen.append(photograph)
         return {}
 
-    use(**WHOLE | {"read": look})
+    use(stages=STAGES, **WHOLE | {"read": look})
     raw = picture(40)
     raw.facts = '{"iso": 400}'
     raw.mosaic = SimpleNamespace(

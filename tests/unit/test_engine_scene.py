@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from simulations import browser
+from simulations.engine.accuracy import Accuracy, Level, tiers
 from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
@@ -21,8 +22,11 @@ from simulations.registry import (
     load_scene,
 )
 
-TIERS = {"tiers": ("coarse", "fine"), "default_tier": "fine", "draft_tier": "coarse"}
-SHADED = {**TIERS, "ladder": "shading"}
+LEVELS = (
+    *tiers("coarse", "fine", labels={"coarse": "Coarse", "fine": "Fine"}),
+    Level("4", "4 columns", {"tier": "fine", "columns": 4}),
+)
+SHADED: dict[str, Any] = {"accuracy": Accuracy(levels=LEVELS, default="fine")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +55,7 @@ def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Reado
         yield Readout("error", f"{tier}, {rays} rays", f"{settings.size:g}", "px")
 
 
+WIDE = (Stage("summary", lambda tier, columns: f"{tier}, {columns} columns"),)
 STAGES = (Stage("summary", lambda size, tier: f"{tier} of {size:g}"),)
 DOUBLE = (Stage("summary", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}"),)
 
@@ -75,16 +80,13 @@ def use(monkeypatch: pytest.MonkeyPatch) -> Callable[..., Scene[Any]]:
     ("changed", "message"),
     [
         ({"stages": (*STAGES, *STAGES)}, "two stages named 'summary'; legal: a name for each"),
-        ({"tiers": ("fast", "exact")}, "tier"),
-        ({"tiers": ("fast",), "default_tier": "fast", "draft_tier": "slow"}, "tier 'slow'"),
-        ({"default_tier": "fast"}, "tier 'fast'"),
-        (TIERS, "no ladder to label them"),
-        ({**SHADED, "tier_labels": {"slow": "Slow"}}, r"labels .'slow'.*legal: .'coarse', 'fine'"),
-        ({"drafted": ("sise",)}, "drafted 'sise'"),
-        ({**SHADED, "drafted_in": {"fine": ("sise",)}}, "drafted 'sise'"),
-        ({**SHADED, "drafted_in": {"finer": ("size",)}}, r"drafted_in .*'finer'.*legal: \('coarse"),
-        ({**SHADED, "own_drafts": {"coarse": ("size",)}}, "'coarse' is a tier; legal: another"),
-        ({"own_drafts": {"rough": ("sise",)}}, "drafted 'sise'"),
+        ({"accuracy": Accuracy(levels=LEVELS + LEVELS[:1])}, "'coarse'.*legal: a name for each"),
+        (
+            {"accuracy": Accuracy(levels=LEVELS, default="finer")},
+            r"'finer'; legal: \('coarse', 'fine",
+        ),
+        ({"accuracy": Accuracy(default="fast")}, "default level 'fast'"),
+        ({"accuracy": Accuracy(levels=tiers("fast"))}, "'fast' has no label, and no ladder"),
         ({"settings": Driving}, "'play' drives no slider 'sise'; legal: size"),
         ({"settings": Setting}, "'least' sets nothing; legal: a button in `sets`"),
     ],
@@ -94,24 +96,13 @@ def test_scene_that_contradicts_itself_is_refused(changed: dict[str, Any], messa
         scene_of(**changed)
 
 
-def test_drag_is_drawn_by_the_default_tier_or_a_draft() -> None:
-    assert scene_of(tiers=("fast",), default_tier="fast", ladder="shading").draft_tier == "fast"
-    tiers = ("coarse", "fine", "finest")
-    words = {tier: tier for tier in tiers}
-    scene = scene_of(
-        tiers=tiers, default_tier="fine", tier_labels=words, stages=STAGES,
-        own_drafts={"rough": ("size",)},
-    )  # fmt: skip
-    assert [scene.drafts_of(tier).get("size") for tier in tiers] == [None, "rough", "rough"]
-    assert "rough of 1" in scene.render(Settings(), "rough", StageCache()).description
-
-
 @pytest.mark.parametrize(
     ("stages", "parameters", "tier", "description"),
     [
         (STAGES, None, "coarse", "Size 2, coarse of 2."),
         (STAGES, None, "", "Size 2, fine of 2."),
         (STAGES, None, "no such tier", "Size 2, fine of 2."),
+        (WIDE, None, "4", "Size 2, fine, 4 columns."),
         (DOUBLE, lambda s, _tier: {"double": 3 * s.size}, "fine", "Size 2, fine: 2, twice 6."),
         (STAGES, lambda _settings, _tier: {"size": 7}, "fine", "Size 2, fine of 7."),
         (STAGES, lambda _settings, _tier: None, "fine", "Size 2, nothing."),
@@ -132,7 +123,7 @@ def test_stages_read_settings_tier_and_parameters(
 def test_error_estimates_restart_with_other_settings(
     use: Callable[..., Scene[Any]],
 ) -> None:
-    use(estimate=estimate)
+    use(accuracy=Accuracy(estimate=estimate))
 
     def ask(size: int) -> Any:
         answer = json.loads(browser.error("figure-3", "s", f'{{"size": {size}}}', ""))
@@ -187,9 +178,9 @@ def test_module_without_a_scene_of_its_name_is_refused(
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
-def test_tiers_without_a_label_of_their_own_are_rungs_of_the_ladder(scene_id: str) -> None:
-    scene = load_scene(scene_id)
-    if scene.ladder:
-        rungs = [tier.id for tier in load_ladder(scene.ladder).tiers]
-        tiers = [tier for tier in scene.tiers if tier in rungs or tier not in scene.tier_labels]
-        assert [rung for rung in rungs if rung in scene.tiers] == tiers
+def test_levels_without_labels_are_rungs_of_the_ladder_in_its_order(scene_id: str) -> None:
+    accuracy = load_scene(scene_id).accuracy
+    if accuracy.ladder:
+        rungs = [tier.id for tier in load_ladder(accuracy.ladder).tiers]
+        named = [level.name for level in accuracy.levels if level.name in rungs or not level.label]
+        assert [rung for rung in rungs if rung in accuracy.names] == named

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.controls import Value
 from simulations.engine.frame import (
     Frame,
@@ -24,6 +25,7 @@ from simulations.engine.frame import (
     readout,
 )
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
@@ -269,7 +271,7 @@ SCENE = Scene(
         Stage("picture", picture, ("own picture",)),
     ),
     HANDLES,
-    photograph=light.PHOTOGRAPH_PX,
-    estimate=estimate,
+    instrument=Instrument(photograph=light.PHOTOGRAPH_PX),
+    accuracy=Accuracy(estimate=estimate),
     formula=alias_frequency,
 )

@@ -4,6 +4,7 @@ from functools import partial
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.drawing import rectangle
 from simulations.engine.frame import (
     Frame,
@@ -15,6 +16,7 @@ from simulations.engine.frame import (
     value_with_error,
 )
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Whole
 from simulations.engine.raster import opaque
 from simulations.engine.scene import Scene
@@ -28,7 +30,7 @@ from simulations.scenes.calibration.contact_sheet import contact_sheet, middle_o
 from simulations.scenes.calibration.results import EXPORTS, OPEN, develop, measured, notes_of, sheet
 from simulations.scenes.calibration.settings import DETAILS, LENSES, Settings
 from simulations.scenes.calibration.stages import (
-    DRAFT,
+    LEVELS,
     STAGES,
     Errors,
     Result,
@@ -270,16 +272,18 @@ SCENE = Scene(
             "image",
         ),
     ),
-    photograph=Whole(1.0),
-    read=read,
-    samples={
-        f"true {TRUTH.fx:.0f} px, board {index + 1}.png": partial(rendered, index)
-        for index in range(12)
-    },
-    develop=develop,
-    exports=EXPORTS,
-    sheet=sheet,
-    measured=measured,
-    own_drafts={DRAFT: ("photographs", "shown", "without")},
+    instrument=Instrument(
+        photograph=Whole(1.0),
+        read=read,
+        samples={
+            f"true {TRUTH.fx:.0f} px, board {index + 1}.png": partial(rendered, index)
+            for index in range(12)
+        },
+        develop=develop,
+        exports=EXPORTS,
+        sheet=sheet,
+        measured=measured,
+    ),
+    accuracy=Accuracy(levels=LEVELS),
     formula=descend,
 )

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.accuracy import Level
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
@@ -37,10 +38,11 @@ from simulations.scenes.calibration.boards import LEAST, Boards, boards, rendere
 
 type Codes = NDArray[np.uint8]
 
-DRAFT = "quick"
-"""The draft while the count of photographs or the choice of one is dragged: a small photograph,
-no search for corners, and fits of few steps."""
-DRAFT_SCALE = 0.375
+LEVELS = (
+    Level("quick", "Small photograph, fits of few steps", {"quick": True}),
+    Level("full", "Corners found, fits to the end", {"quick": False}),
+)
+QUICK_SCALE = 0.375
 SHEET = "sheet"  # the detail that shows all photographs
 SUPPORTED = "supported"  # the model of the lens that the photographs support
 
@@ -124,13 +126,13 @@ def _every(used: Boards, shape: str) -> Trials:
     return Trials(views, found, tried=tried)
 
 
-def _trials(every: Trials, photographs: int, tier: str) -> Trials:
+def _trials(every: Trials, photographs: int, quick: bool) -> Trials:
     """The models from the first photographs; the search starts from the result for all."""
     views = every.views.take(slice(photographs))
     if every.problem or len(views) == len(every.views):
         return every
     try:
-        found = compare_first(every.found, views, tier == DRAFT)
+        found = compare_first(every.found, views, quick)
         return Trials(views, found, tried=every.tried)
     except UndeterminedError as problem:
         return Trials(views, problem=str(problem))
@@ -153,22 +155,22 @@ def _result(used: Boards, every: Trials, trials: Trials, lens: str) -> Result | 
     return Result(trial, best, grown, board, covered, next_photograph(covered))
 
 
-def _shown(given: Boards, photograph: Photograph | None, shown: int, tier: str) -> Shown:
+def _shown(given: Boards, photograph: Photograph | None, shown: int, quick: bool) -> Shown:
     """The reader's photograph that is chosen in the page, or the simulated one of a number."""
     if photograph and photograph.number in given.numbers:
         return Shown(given.numbers.index(photograph.number), photograph.codes)
     index = min(shown, len(given.views)) - 1
     if given.truth is None:
         return Shown(index, None)
-    return Shown(index, rendered(index, DRAFT_SCALE if tier == DRAFT else 1.0))
+    return Shown(index, rendered(index, QUICK_SCALE if quick else 1.0))
 
 
-def _found(given: Boards, shown: Shown, tier: str) -> Views | None:
-    """The corners of that photograph; those of a simulated one are found in it, in a draft not.
+def _found(given: Boards, shown: Shown, quick: bool) -> Views | None:
+    """The corners of that photograph, found in it if it is simulated and there is time.
 
     None if the finder refuses it.
     """
-    if given.truth is None or tier == DRAFT or shown.codes is None:
+    if given.truth is None or quick or shown.codes is None:
         return given.views.take([shown.index])
     try:
         board = find_board(shown.codes[..., 0])

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from simulations.engine import drawing
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.drafting import polar, swatch_polygon
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
@@ -20,17 +21,15 @@ from simulations.models.lens.aperture import aperture_grid
 from simulations.models.light.raycasting import Box, Sphere
 from simulations.scenes._still_life_camera import (
     PITCH_MM,
-    SCALED,
     SENSOR_HEIGHT_MM,
     SENSOR_WIDTH_MM,
     principal_mm,
 )
 from simulations.scenes.camera.lens import Settings, after_step, blur_of, view_of
 from simulations.scenes.camera.stages import (
-    BOWED,
+    LEVELS,
     REFERENCE_GRID,
     STAGES,
-    TIERS,
     parameters,
     references,
     rms_codes,
@@ -236,18 +235,6 @@ SCENE = Scene(
         ),
         Handle("lamp", "plan", "Lamp", ("light_angle",), lamp_at, role="light"),
     ),
+    accuracy=Accuracy(levels=LEVELS, default="layers", estimate=estimate),
     parameters=parameters,
-    tiers=tuple(TIERS),
-    default_tier="layers",
-    draft_tier="draft",
-    drafted=("focal_length", "light_angle", "back"),
-    drafted_in={"aperture-rays": ("aperture",)},
-    own_drafts={SCALED: ("focus",), BOWED: ("k1",)},
-    tier_labels={
-        "draft": "Draft: a ray for four pixels",
-        "layers": "Bent picture, blurred layers",
-        "bent-rays": "Bent rays, blurred layers",
-        "aperture-rays": "12 bent rays a pixel",
-    },
-    estimate=estimate,
 )

@@ -2,12 +2,13 @@
 the bytes of a photograph."""
 
 import math
-from collections.abc import Iterator, Mapping
-from dataclasses import asdict, dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.accuracy import Level
 from simulations.engine.controls import Value
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
@@ -23,6 +24,7 @@ from simulations.scenes._still_life_camera import (
     PITCH_MM,
     ROWS,
     SCALED,
+    SCALED_LABEL,
     Rays,
     defocus,
     drawing_of,
@@ -58,40 +60,37 @@ REFERENCE_GRID = 7
 """Points across the lens of the picture that errors are measured against: 37 in all."""
 
 
-@dataclass(frozen=True, slots=True)
-class Accuracy:
-    """The parameters of the stages that a tier sets."""
-
-    reduction: int = 1
-    """Pixels per ray each way."""
-    bent_rays: bool = False
-    """Whether the rays are bent, or the finished picture."""
-    lens_rays: int = 0
-    """Rays through the lens's opening instead of a blur; 0 for a blur."""
+def level(
+    name: str, label: str, *, reduction: int = 1, bent_rays: bool = False, lens_rays: int = 0
+) -> Level:
+    """``reduction``: pixels per ray each way; ``bent_rays``: whether the rays are bent, or the
+    finished picture; ``lens_rays``: through the lens's opening, 0 for a blur instead."""
+    gives = {"reduction": reduction, "bent_rays": bent_rays, "lens_rays": lens_rays}
+    return Level(name, label, gives)
 
 
-TIERS: Mapping[str, Accuracy] = {
-    "draft": Accuracy(reduction=2),
-    "layers": Accuracy(),
-    "bent-rays": Accuracy(bent_rays=True),
-    "aperture-rays": Accuracy(bent_rays=True, lens_rays=12),
-}
 BOWED = "bowed"
-"""The draft while k₁ moves: one straight picture, drawn with the widest margin that any k₁ of the
-slider needs, is bent anew. At rest the margin is that of the present k₁."""
+"""The level at which k₁ costs least: one straight picture, drawn with the widest margin that any k₁
+of the slider needs, is bent anew. Elsewhere the margin is that of the present k₁."""
+LEVELS = (
+    level("draft", "A ray for four pixels", reduction=2),
+    level(SCALED, SCALED_LABEL),
+    level(BOWED, "One wide picture, bent"),
+    level("layers", "Bent picture, blurred layers"),
+    level("bent-rays", "Bent rays, blurred layers", bent_rays=True),
+    level("aperture-rays", "12 bent rays a pixel", bent_rays=True, lens_rays=12),
+)
 
 
-def parameters(settings: Settings, tier: str) -> dict[str, Value]:
-    """The parameters of the stages: set by the tier, or computed from the settings."""
-    draft, now = tier == SCALED, after_step(settings)
-    accuracy, across, down = TIERS[tier if tier in TIERS else "layers"], 0, 0
-    if not accuracy.bent_rays:
+def parameters(settings: Settings, level: str) -> dict[str, Value]:
+    """The parameters of the stages that are computed from the settings."""
+    now, (across, down) = after_step(settings), (0, 0)
+    if level not in ("bent-rays", "aperture-rays"):
         of_lens = now.focal_length, now.focus
-        widest = lens.widest_barrel(*of_lens, STRONGEST_BARREL) if tier == BOWED else now.k1
+        widest = lens.widest_barrel(*of_lens, STRONGEST_BARREL) if level == BOWED else now.k1
         across, down = lens.margin_px(*of_lens, widest)
     return {
-        **asdict(accuracy),
-        **drawing_of(draft, now.focal_length, now.focus),
+        **drawing_of(level == SCALED, now.focal_length, now.focus),
         "focal_length": now.focal_length,
         "focus": now.focus,
         "margin_columns": across,

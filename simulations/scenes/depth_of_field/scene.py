@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.controls import Value
 from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
@@ -62,16 +63,15 @@ def drawn_f_number(settings: Settings) -> float:
     return settings.aperture * max(widest / LARGEST_DRAWN_PX, 1.0)
 
 
-def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:
+def parameters(settings: Settings, level: str) -> dict[str, Value] | None:
     """The parameters of the stages, fixed or computed; None if there is no picture."""
     if not settings.has_image:
         return None
     f_number = drawn_f_number(settings)
     return {
         **stages.FIXED,
-        **drawing_of(tier == SCALED, settings.focal_length, settings.focus),
-        "reduction": stages.REDUCTIONS.get(tier, stages.FINE),
-        "repeated": 2 if tier in stages.COSTLY else 1,
+        **drawing_of(level == SCALED, settings.focal_length, settings.focus),
+        "repeated": 2 if level in stages.COSTLY else 1,
         "aperture": f_number,
         "largest_blur": stages.widest_px(settings.focal_length, f_number, settings.focus),
     }
@@ -210,11 +210,9 @@ SCENE = Scene(
     draw,
     stages.STAGES,
     HANDLES,
+    accuracy=Accuracy(
+        levels=stages.LEVELS, default="layered", ladder="depth-of-field", estimate=estimate
+    ),
     parameters=parameters,
-    tiers=stages.TIERS,
-    default_tier="layered",
-    own_drafts={SCALED: FOCUS, stages.COARSE: ("focal_length",), stages.QUICK: APERTURE},
-    ladder="depth-of-field",
-    estimate=estimate,
     formula=thin_lens.circle_of_confusion_mm,
 )

@@ -12,6 +12,7 @@ from functools import partial
 
 import numpy as np
 
+from simulations.engine.accuracy import Level
 from simulations.engine.controls import Value
 from simulations.engine.frame import Raster, Readout, format_number
 from simulations.engine.raster import to_rgba8
@@ -26,6 +27,7 @@ from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.scenes._still_life_camera import (
     PITCH_MM,
     SCALED,
+    SCALED_LABEL,
     SENSOR_WIDTH_MM,
     Rays,
     blur_px,
@@ -49,12 +51,20 @@ from simulations.world.things import THINGS, WALL_DISTANCE, thing_depth
 WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
 """The red ball in front and the wall behind: the two ends of the still life."""
-TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
+FINE = 0.5  # pixels per ray each way: the picture is shown wider than the sensor has pixels
+LEVELS = (
+    Level("pinhole", gives={"reduction": FINE}),
+    Level("discs", gives={"reduction": FINE}),
+    Level("coarse", "Layers, a ray for four pixels", {"tier": "layered", "reduction": 2.0}),
+    Level(SCALED, SCALED_LABEL, {"tier": "layered", "reduction": 1.0}),
+    Level("quick", "Layers, a ray a pixel", {"tier": "layered", "reduction": 1.0}),
+    Level("layered", gives={"reduction": FINE}),
+    Level("binned", gives={"reduction": FINE}),
+    Level("gather", gives={"reduction": 1.0}),
+    Level("fibonacci-16", gives={"reduction": 1.0}),
+)
 """Rungs of the ladder `depth-of-field`, without its random rays and without 64 rays, which would
-take seconds."""
-COARSE = "coarse"  # the draft while the focal length moves: a ray for four pixels
-QUICK = "quick"  # the draft while the aperture moves: a ray for each pixel
-LAYERED = ("layered", COARSE, QUICK, SCALED)  # tiers that blur each layer by itself
+take seconds, and cheaper ways to blur each layer by itself."""
 FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
     "discs": lambda sharp, radius, _depth: blur_by_depth(sharp, radius),
     "binned": lambda sharp, radius, _depth: binned_gaussian(sharp, radius),
@@ -63,10 +73,7 @@ FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
 """Tiers that blur a finished picture (3, H, W), by its radii of discs and its depths (H, W)."""
 SPIRALS: Mapping[str, Floats] = {"fibonacci-16": fibonacci_disc(16)}
 """Tiers that send rays through points (n, 2) spread over the lens."""
-COSTLY = ("gather", *SPIRALS)  # tiers that are drawn with a ray for each pixel, too
-REDUCTIONS = {COARSE: 2.0, **dict.fromkeys((QUICK, SCALED, *COSTLY), 1.0)}
-"""Pixels per ray each way, by tier and draft."""
-FINE = 0.5  # the same of all others: the picture is shown wider than the sensor has pixels
+COSTLY = ("gather", *SPIRALS)  # tiers of which each value fills two pixels
 LIGHT_ANGLE_DEG = 40.0
 FIXED: Mapping[str, Value] = {
     "light_angle": LIGHT_ANGLE_DEG,
@@ -186,7 +193,7 @@ def unless_sharp(tiers: Container[str], otherwise: str, largest_blur: float, tie
     return in_focus(largest_blur) or unless(tiers, otherwise, tier)
 
 
-NO_LAYER = partial(unless_sharp, LAYERED, "no layer is blurred by itself")
+NO_LAYER = partial(unless_sharp, ("layered",), "no layer is blurred by itself")
 NO_FILTER = partial(unless_sharp, FILTERS, "the finished picture is not filtered")
 ONE_RAY = partial(unless, SPIRALS, "every pixel has one ray")
 LENS_RAYS = "rays through the lens"

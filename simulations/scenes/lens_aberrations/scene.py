@@ -12,9 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.drawing import cased, dot, ellipse, line, path, polygon, rectangle, text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider, toggle
@@ -246,12 +248,12 @@ SCENE = Scene(
     draw,
     stages.STAGES,
     HANDLES,
-    stages.PADDED_PX,
-    tiers=tuple(stages.BANDS),
-    default_tier="even-16",
-    draft_tier="gauss-1",
-    drafted=("stop", "aperture"),
-    ladder="chromatic-aberration",
-    estimate=estimate,
+    instrument=Instrument(photograph=stages.PADDED_PX),
+    accuracy=Accuracy(
+        levels=tiers(*stages.BANDS),
+        default="even-16",
+        ladder="chromatic-aberration",
+        estimate=estimate,
+    ),
     formula=lateral_chromatic_scale,
 )

@@ -6,9 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
@@ -175,12 +177,10 @@ SCENE = Scene(
         marked("outer", "Outer point", OUTER, "k2"),
         Handle("crossing", "grid", "Image of a crossing", ("k1",), crossing_at, role="image"),
     ),
-    photograph=PHOTOGRAPH_PX,
-    # The picture is drawn with a margin only if a part of it may come into view.
+    instrument=Instrument(photograph=PHOTOGRAPH_PX),
+    accuracy=Accuracy(
+        levels=tiers(*TIERS), default="closed-form", ladder="inverse-strong", estimate=estimate
+    ),
     parameters=lambda settings, _: {"margin": needs_margin(settings.k1, settings.k2)},
-    tiers=TIERS,
-    default_tier="closed-form",
-    ladder="inverse-strong",
-    estimate=estimate,
     formula=distort,
 )

@@ -1,12 +1,11 @@
 """Perspective projection: one point of the room, one camera, with or without division by depth."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.controls import Value
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
@@ -27,11 +26,10 @@ from simulations.scenes.perspective_projection.view import (
     projection_of,
     room_axes,
 )
-from simulations.world.room import COLUMNS, DRAFT_COLUMNS, photograph
+from simulations.world.room import LEVELS, photograph
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the picture's view box
 IMAGE_SCALE = 2.0  # view box units per pixel
-DRAFT = "draft"  # the picture while anything moves
 ALMOST_PARALLEL = 1e-4  # perspective of the picture at 0 %: to a hundredth of a pixel the same
 CENTRE = np.array([200.0, 150.0])  # the principal point in the picture's view box
 LETTER_LEAST = 14.0  # side of a rectangle, in view box units, from which it is named
@@ -46,10 +44,6 @@ class Settings:
     point_x: float = slider("Right (X)", 1.0, -3, 3, 0.05, unit="m")
     point_y: float = slider("Down (Y)", 0.5, -1, 2, 0.05, unit="m")
     perspective: float = slider("Perspective", 100, 0, 100, 1, unit="%")
-
-
-def parameters(_settings: Settings, tier: str) -> Mapping[str, Value]:
-    return {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS}
 
 
 def view_of(settings: Settings) -> Projection:
@@ -301,7 +295,6 @@ SCENE = Scene(
             reversed=("point_y",),
         ),
     ),
-    parameters=parameters,
-    own_drafts={DRAFT: ("depth", "focal_length", "point_x", "point_y", "perspective")},
+    accuracy=Accuracy(levels=LEVELS),
     formula=project,
 )

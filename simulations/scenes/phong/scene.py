@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
@@ -272,11 +273,8 @@ SCENE = Scene(
     draw,
     STAGES,
     HANDLES,
-    tiers=tuple(_ball.LIT),
-    default_tier=_ball.DEFAULT_TIER,
-    draft_tier="gouraud-64",
-    ladder="shading",
-    tier_labels=_ball.TIER_LABELS,
-    estimate=estimate,
+    accuracy=Accuracy(
+        levels=_ball.LEVELS, default=_ball.DEFAULT_TIER, ladder="shading", estimate=estimate
+    ),
     formula=phong,
 )

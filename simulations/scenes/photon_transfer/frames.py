@@ -13,6 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.accuracy import columns
 from simulations.engine.frame import format_number
 from simulations.engine.photograph import Facts, Mosaic, Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
@@ -42,9 +43,8 @@ type Codes = NDArray[np.unsignedinteger]
 type Pair = Codes
 """(2, h, w)"""
 
-# Side of a simulated frame: its 10 000 cells give a variance to 1.4 %; those of a draft to 2.4 %.
-SIDE, DRAFT_SIDE = 100, 60
-DRAFT = "small"  # the draft while the count of pairs is dragged
+# Cells across a simulated frame: 10 000 in all give a variance to 1.4 %, 3600 to 2.4 %.
+LEVELS = columns(60, 100, label="Frames of {0} × {0} cells")
 FULL_WELL_E, GAIN_E_PER_DN = 15_000.0, 4.0
 BRIGHTEST_PERCENT = 110
 BRIGHTEST_E = BRIGHTEST_PERCENT / 100 * FULL_WELL_E
@@ -245,9 +245,8 @@ def sensor_of(read_noise: float) -> Sensor:
     )
 
 
-def sensor_cells(tier: str) -> Cells:
-    side = DRAFT_SIDE if tier == DRAFT else SIDE
-    return unequal_cells((side, side), PRNU, DSNU_E, np.random.default_rng(0))
+def sensor_cells(columns: int) -> Cells:
+    return unequal_cells((columns, columns), PRNU, DSNU_E, np.random.default_rng(0))
 
 
 def count(cells: Cells, pairs: int) -> tuple[Floats, ...]:

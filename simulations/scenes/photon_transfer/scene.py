@@ -7,9 +7,11 @@ from textwrap import wrap
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.drawing import cased, circle, path, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Whole
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
@@ -23,7 +25,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
 from simulations.models.sensor.photon_transfer_pair import Level
 from simulations.scenes.photon_transfer.frames import (
-    DRAFT,
+    LEVELS,
     SAMPLED,
     STAGES,
     Frames,
@@ -220,18 +222,20 @@ SCENE = Scene(
     draw,
     STAGES,
     (Handle("end", "transfer", "End of the fit", ("most",), end_at, None, "press", "camera"),),
-    Whole(SMALL, mosaic=True),
-    read,
-    samples={
-        f"true {SAMPLED.gain_e_per_dn:g} e⁻ per DN, {percent} % {'ab'[which]}.png": partial(
-            sample, percent, which
-        )
-        for percent in (0, 3, 8, 18, 35, 60, 90)
-        for which in (0, 1)
-    },
-    own_drafts={DRAFT: ("pairs",)},
-    exports=EXPORTS,
-    sheet=sheet,
-    measured=measured,
+    instrument=Instrument(
+        photograph=Whole(SMALL, mosaic=True),
+        read=read,
+        samples={
+            f"true {SAMPLED.gain_e_per_dn:g} e⁻ per DN, {percent} % {'ab'[which]}.png": partial(
+                sample, percent, which
+            )
+            for percent in (0, 3, 8, 18, 35, 60, 90)
+            for which in (0, 1)
+        },
+        exports=EXPORTS,
+        sheet=sheet,
+        measured=measured,
+    ),
+    accuracy=Accuracy(levels=LEVELS),
     formula=characterise,
 )

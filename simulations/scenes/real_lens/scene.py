@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.frame import (
     Frame,
     Panel,
@@ -260,9 +261,6 @@ SCENE = Scene(
     draw,
     STAGES,
     HANDLES,
-    tiers=tuple(TIERS),
-    default_tier="exact",
-    tier_labels=TIERS,
-    estimate=estimate,
+    accuracy=Accuracy(levels=tiers(*TIERS, labels=TIERS), default="exact", estimate=estimate),
     formula=singlet.refract,
 )

@@ -132,9 +132,8 @@ def project(place: tuple[float, float, float]) -> tuple[float, float]:
 
 
 @cache
-def view(fine: float) -> View:
-    """The picture with ``fine`` pixels to a unit, found once."""
-    side = round(SIZE * fine)
+def view(side: int) -> View:
+    """The picture of ``side`` pixels each way, found once."""
     steps = (np.arange(side) + 0.5) / side
     x, y = (each.ravel() for each in np.meshgrid(steps, 1.0 - steps))
     ways = np.stack([x, y, np.ones_like(x)], axis=-1) - EYE

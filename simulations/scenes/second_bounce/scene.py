@@ -10,6 +10,7 @@ from functools import cache
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.drawing import cased, circle, line, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
@@ -34,8 +35,7 @@ BOUNCES = {
     "all": "All",
 }
 RED = 0.1  # share of the white's albedo that red paint has in green and blue
-DRAFT = "coarse"  # the draft while lamp or albedo is dragged
-FINE, DRAFT_FINE = 1.5, 0.75  # raster pixels per unit of the view box
+COLUMNS = 510  # pixels across and down, at rest
 PLACES: Floats = np.linspace(0.0, 1.0, room.FINER + 1)  # distances from the edge on the line
 
 PLOT = Plot(Axis(-1.0, 1.0, 42.0, 386.0), Axis(0.0, 1.2, 262.0, 44.0))
@@ -125,18 +125,14 @@ def profile_of(light: Light, light_angle: float, albedo: float, wall: str) -> Pr
     return Profile(albedo * lit, shares * (lit[:, None] + light.arriving[index]))
 
 
-def fineness(tier: str) -> float:
-    return DRAFT_FINE if tier == DRAFT else FINE
-
-
-def by_lamp(light_angle: float, tier: str) -> Floats:
+def by_lamp(light_angle: float, columns: int) -> Floats:
     """(N, 1) irradiance by the lamp, in each pixel."""
-    return room.view(fineness(tier)).places.by_lamp(light_angle)[:, None]
+    return room.view(columns).places.by_lamp(light_angle)[:, None]
 
 
-def picture(light: Light, by_lamp: Floats, albedo: float, wall: str, tier: str) -> Raster:
+def picture(light: Light, by_lamp: Floats, albedo: float, wall: str, columns: int) -> Raster:
     """The room: bytes (H, W, 4)."""
-    view = room.view(fineness(tier))
+    view = room.view(columns)
     albedos = albedos_of(albedo, wall).astype(np.float32)
     arriving = light.arriving[view.index]
     on_ball = np.maximum(view.basis @ light.on_ball, 0.0)
@@ -149,8 +145,8 @@ def picture(light: Light, by_lamp: Floats, albedo: float, wall: str, tier: str) 
     return to_rgba8(encode_srgb_table(seen)[:, [0, 1, 1]].reshape(side, side, 3))
 
 
-def first_picture(first: Light, by_lamp: Floats, albedo: float, wall: str, tier: str) -> Raster:
-    return picture(first, by_lamp, albedo, wall, tier)
+def first_picture(first: Light, by_lamp: Floats, albedo: float, wall: str, columns: int) -> Raster:
+    return picture(first, by_lamp, albedo, wall, columns)
 
 
 STAGES = (
@@ -284,6 +280,6 @@ SCENE = Scene(
     draw,
     STAGES,
     HANDLES,
-    own_drafts={DRAFT: ("light_angle", "albedo")},
+    accuracy=Accuracy(levels=columns(170, 255, COLUMNS)),
     formula=bounced,
 )

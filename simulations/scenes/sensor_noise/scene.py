@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.drawing import cased, circle, dot, line, rectangle, text
 from simulations.engine.frame import (
     Frame,
@@ -22,6 +23,7 @@ from simulations.engine.frame import (
     value_with_error,
 )
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.plotting.plot import Plot
@@ -316,11 +318,9 @@ SCENE = Scene(
         ),
         Handle("patch", "wedge", "Patch to look at", ("patch",), middle, patch_pulled, "aim"),
     ),
-    PHOTOGRAPH_PX,
-    tiers=SHOT_MODELS,
-    default_tier="quantile",
-    drafted=("exposure", "dark", "unequal"),
-    ladder="shot-noise",
-    estimate=estimate,
+    instrument=Instrument(photograph=PHOTOGRAPH_PX),
+    accuracy=Accuracy(
+        levels=tiers(*SHOT_MODELS), default="quantile", ladder="shot-noise", estimate=estimate
+    ),
     formula=shot_noise_from_normal,
 )

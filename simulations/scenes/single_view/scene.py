@@ -11,6 +11,7 @@ from simulations.engine.controls import PointLists, Value
 from simulations.engine.export import Export
 from simulations.engine.frame import Frame, Panel, Raster
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Codes, Photograph, Whole
 from simulations.engine.raster import opaque, to_rgba8
 from simulations.engine.scene import Scene
@@ -217,12 +218,14 @@ SCENE = Scene(
         Handle("add", "picture", "New line", ("lines",), lambda *_: None, added, reach="aim"),
         Handle("clear", "loupe", "All lines", ("lines",), lambda *_: None, cleared, reach="aim"),
     ),
-    photograph=Whole(24),
-    samples={f"true f {FOCAL_PX:.0f} px, room.png": partial(photo, "corner", None)},
-    sheet=measuring.sheet,
-    exports=(
-        Export("distances", "Distances as JSON", ".json", files.as_json),
-        Export("camera", "Camera for fSpy and Blender, JSON", ".json", files.as_fspy),
+    instrument=Instrument(
+        photograph=Whole(24),
+        samples={f"true f {FOCAL_PX:.0f} px, room.png": partial(photo, "corner", None)},
+        exports=(
+            Export("distances", "Distances as JSON", ".json", files.as_json),
+            Export("camera", "Camera for fSpy and Blender, JSON", ".json", files.as_fspy),
+        ),
+        sheet=measuring.sheet,
     ),
     formula=fit_view,
 )

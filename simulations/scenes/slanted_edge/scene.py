@@ -9,6 +9,7 @@ from simulations.engine.controls import PointLists, Value
 from simulations.engine.drawing import cased, dot, line, rectangle, text
 from simulations.engine.frame import Frame, Panel, format_number, value_with_error
 from simulations.engine.handles import Handle, Point
+from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import MOST_MEGAPIXELS, Codes, Photograph, Whole
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
@@ -251,14 +252,16 @@ SCENE = Scene(
         Handle("keep", "line", "This place", ("kept",), nowhere, keep, "aim"),
         Handle("forget", "waves", "All places", ("kept",), nowhere, forget, "aim"),
     ),
-    Whole(MOST_MEGAPIXELS),
-    samples={
-        f"at f-{aperture}, {what}.png": partial(sample, float(aperture), sharpening)
-        for aperture in (4, 8, 16)
-        for what, sharpening in (("as taken", 0.0), ("sharpened", 1.0))
-    },
-    exports=EXPORTS,
-    sheet=sheet,
+    instrument=Instrument(
+        photograph=Whole(MOST_MEGAPIXELS),
+        samples={
+            f"at f-{aperture}, {what}.png": partial(sample, float(aperture), sharpening)
+            for aperture in (4, 8, 16)
+            for what, sharpening in (("as taken", 0.0), ("sharpened", 1.0))
+        },
+        exports=EXPORTS,
+        sheet=sheet,
+    ),
     sets={"find": found},
     formula=measure,
 )

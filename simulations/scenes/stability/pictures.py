@@ -32,7 +32,7 @@ from simulations.scenes.stability.errors import (
 )
 from simulations.world.room import halve, look, shade
 
-COLUMNS, DRAFT_COLUMNS = 200, 100
+COLUMNS = 200
 UNDEFINED = (0.80, 0.05, 0.25)  # sRGB of a value that is not a number
 
 type Pair = tuple[Floats, Floats]
@@ -41,7 +41,7 @@ type Pair = tuple[Floats, Floats]
 
 @lru_cache(maxsize=2)
 def room(columns: int) -> Floats:
-    """sRGB (3, rows, columns), 0 to 1; of the draft, means of the values at rest."""
+    """sRGB (3, rows, columns), 0 to 1; of fewer columns, means of the values of all."""
     if columns < COLUMNS:
         return np.asarray(halve(room(2 * columns)), float)
     wide, high = 2 * columns, columns * 3 // 2

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.drafting import label
 from simulations.engine.drawing import dot
 from simulations.engine.frame import Frame, Panel, Readout, format_number, power_of_ten
@@ -22,7 +23,7 @@ from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.scenes.stability.errors import DISTANCES, LOWEST, STEP, Errors, errors_of, unit_of
-from simulations.scenes.stability.pictures import COLUMNS, DRAFT_COLUMNS, pictures
+from simulations.scenes.stability.pictures import COLUMNS, pictures
 
 FORMULAS = {
     "angle": "Angle between two orientations",
@@ -43,7 +44,6 @@ CURVE_NAMES: Mapping[str, tuple[str, str]] = {
     "fold": ("5 Newton steps", "60 steps"),
 }
 FORMATS = {"float64": "float64: 16 digits", "float32": "float32: 7 digits"}
-DRAFT = "draft"  # the pictures while the distance moves
 UNITS_OF_ROUNDING = 8  # errors of at most so many u are drawn as one, as they differ by machine
 PER_DECADE = 10  # heights that a curve can have
 
@@ -165,6 +165,5 @@ SCENE = Scene(
     draw,
     (Stage("errors", errors_of), Stage("pictures", pictures)),
     (Handle("place", "plot", "Mark on the curve", ("power",), mark_at, pulled, "press", "world"),),
-    parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
-    own_drafts={DRAFT: ("power",)},
+    accuracy=Accuracy(levels=columns(COLUMNS // 2, COLUMNS)),
 )

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.raster import to_rgba8
@@ -35,8 +36,6 @@ from simulations.scenes.tiled_floor.view import (
     plane_overlay,
 )
 
-DRAFT = "draft"  # the picture while the camera or the box moves
-COLUMNS, DRAFT_COLUMNS = 640, 320  # width of the drawn picture, at rest and in the draft
 SMALL_COLUMNS = 160  # its width in the image plane
 BOX_WIDTH_M = 1.0
 ASIDE_PX = 80.0
@@ -311,7 +310,6 @@ SCENE = Scene(
             reversed=("principal_y",),
         ),
     ),
-    parameters=lambda _, tier: {"columns": DRAFT_COLUMNS if tier == DRAFT else COLUMNS},
-    own_drafts={DRAFT: tuple(each.name for each in fields(Settings) if each.name != "lines")},
+    accuracy=Accuracy(levels=columns(160, 320, 640)),
     formula=vanishing_point,
 )

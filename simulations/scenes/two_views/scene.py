@@ -6,6 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.frame import (
     Frame,
     Raster,
@@ -37,9 +38,7 @@ from simulations.scenes.two_views.view import (
     place,
     right_panel,
 )
-from simulations.world.room import COLUMNS, DRAFT_COLUMNS
 
-DRAFT = "draft"  # the photographs while a camera moves
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
 
 
@@ -221,9 +220,6 @@ SCENE = Scene(
             role="image",
         ),
     ),
-    parameters=lambda _, tier: {
-        "columns": 3 * DRAFT_COLUMNS // 4 if tier == DRAFT else COLUMNS  # of two photographs
-    },
-    own_drafts={DRAFT: ("focal_length", "baseline", "toe_in")},
+    accuracy=Accuracy(levels=columns(120, 400, 800)),
     formula=depth_from_disparity,
 )

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.controls import Value
 from simulations.engine.drawing import arrow, circle, dot, line, path, polyline, text
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
@@ -259,12 +260,9 @@ SCENE = Scene(
         Handle("spoke", "wheel", "Marked spoke", ("time",), spoke_at, spoke_pulled, role="ray"),
         Handle("time", "track", "Row of frames", ("time",), time_at, None, "drag", "", ("time",)),
     ),
+    accuracy=Accuracy(
+        levels=tiers(*TIERS), default="integral", ladder="exposure-blur", estimate=estimate
+    ),
     parameters=lambda settings, _: {"frame": settings.frame},
-    tiers=TIERS,
-    default_tier="integral",
-    # Few instants are useful while the wheel turns; more are too slow.
-    draft_tier="instants-16",
-    ladder="exposure-blur",
-    estimate=estimate,
     formula=apparent_wheel_speed,
 )

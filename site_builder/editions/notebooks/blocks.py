@@ -66,7 +66,7 @@ def simulation(figure: Simulation, block: Block, page: ChapterPage) -> Iterator[
 def call(figure: Simulation) -> str:
     """``figure("lens-distortion", k1=-0.2)``."""
     values: Mapping[str, object] = figure.values
-    if figure.tier != figure.scene.default_tier:
+    if figure.tier != figure.scene.accuracy.default:
         values = {"tier": figure.tier, **values}
     given = [json.dumps(figure.scene.id), *(f"{k}={_written(v)}" for k, v in values.items())]
     line = f"figure({', '.join(given)})"

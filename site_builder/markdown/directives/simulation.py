@@ -37,13 +37,13 @@ def read_simulation(
     given = {name: option for name, option in call.options.items() if name not in FOR_THE_PAGE}
     values = read_settings(scene, given, context)
     yours = call.text("yours") == "yes"
-    if yours and not scene.measures_photographs:
+    if yours and not scene.instrument.measures_photographs:
         message = f"{scene.id} measures no photographs; ':yours:' is for a scene that does"
         context.problem(call.line_of("yours"), message)
     return Simulation(
         scene=scene,
         id=next(place.id for place in context.figures if place.lines[0] == call.line),
-        tier=str(values.pop("tier", scene.default_tier)),
+        tier=str(values.pop("tier", scene.accuracy.default)),
         values=values,
         caption=passage(body[:FIRST]),
         about=passage(body[FIRST:]),

@@ -95,11 +95,11 @@ def read_settings(
     values: dict[str, Value] = {}
     for name, option in given.items():
         if name == "tier":
-            if option.text in scene.tiers:
+            if option.text in scene.accuracy.names:
                 values[name] = option.text
             else:
                 kind = f"tier of {scene.id}"
-                context.problem(option.line, unknown(kind, option.text, scene.tiers))
+                context.problem(option.line, unknown(kind, option.text, scene.accuracy.names))
             continue
         try:
             scene.check({name: option.text})

@@ -48,7 +48,7 @@ def _simulation(scene: Scene[Any]) -> dict[str, object]:
     return {
         "id": scene.id,
         "title": scene.title,
-        "tiers": list(scene.tiers),
+        "tiers": list(scene.accuracy.names),
         "controls": [describe(each) for each in scene.controls if not isinstance(each, Points)],
     }
 

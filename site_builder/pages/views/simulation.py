@@ -12,7 +12,7 @@ from simulations.engine.handles import Handle
 from simulations.engine.ladder import Ladder
 from simulations.engine.message import Message
 from simulations.engine.photograph import Whole
-from simulations.registry import load_ladder, tier_labels
+from simulations.registry import level_labels, load_ladder
 from site_builder.benchmarks.judgements import with_unit
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Chapter
@@ -184,7 +184,8 @@ class SimulationView:
 def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene = still.figure, still.figure.scene
-    frame, tiers = still.frame, tier_labels(scene, _ladder)
+    frame, tiers = still.frame, level_labels(scene, _ladder)
+    instrument = scene.instrument
     count = len(frame.panels)
     cells, folded_cells = control_cells(still, tiers=bool(tiers), words=words)
     readouts, folded_readouts = readouts_in_sight(still)
@@ -212,7 +213,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         schema=json_for_html(schema(still)),
         prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
         sounds=frame.sound is not None,
-        takes_picture=scene.photograph is not None and not scene.measures_photographs,
+        takes_picture=instrument.photograph is not None and not instrument.measures_photographs,
         makes_files=_makes_files(figure),
         frame_height=800 + 120 * (count > 2) + 250 * (count > 3) + 180 * figure.yours,
     )
@@ -280,29 +281,25 @@ def _keys(driven: Sequence[Control], words: Words) -> str:
 
 
 def schema(still: InitialFrame) -> dict[str, object]:
-    """What the page's script must know of the figure: controls, starting values, tiers; of a
+    """What the page's script must know of the figure: controls, starting values, levels; of a
     photograph width and height in px, or most megapixels."""
     scene = still.figure.scene
-    photograph = scene.photograph
+    photograph = scene.instrument.photograph
     return {
         "title": scene.title,
         "controls": [describe(control) for control in scene.controls],
         "values": dict(still.values),
-        "tiers": list(scene.tiers),
+        "tiers": list(scene.accuracy.names),
         "default_tier": still.figure.tier,
-        "draft_tier": scene.draft_tier,
-        "drafted": list(scene.drafted),
         "photograph": photograph.most_megapixels if isinstance(photograph, Whole) else photograph,
-        "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
-        "own_drafts": {tier: scene.drafts_of(tier) for tier in scene.tiers or ("",)},
     }
 
 
 def _makes_files(figure: Simulation) -> bool:
-    scene = figure.scene
-    if scene.measures_photographs:
-        return figure.yours and bool(scene.exports or scene.develop)
-    return bool(scene.exports)
+    instrument = figure.scene.instrument
+    if instrument.measures_photographs:
+        return figure.yours and bool(instrument.exports or instrument.develop)
+    return bool(instrument.exports)
 
 
 def reason_text(reason: str | Sequence[Message], words: Words = ENGLISH) -> str:

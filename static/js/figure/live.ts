@@ -14,11 +14,9 @@ import {
   chosenTier,
   type Control,
   fieldOf,
-  isDrafted,
   readValue,
   readValues,
   type Schema,
-  shownTier,
   writeValue,
 } from "./controls.ts";
 import { Handles, type Pull } from "./handles.ts";
@@ -31,7 +29,10 @@ import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
 
 /** A frame to compute: of which control values (JSON) and tier, and the time of the reader's event. */
-type Job = { values: string; tier: string; time: number; urgency: number };
+type Job = { values: string; tier: string; time: number; urgency: number; moving: string };
+
+/** Milliseconds of Python that leave a moving control two display frames. */
+const FRAME_MS = 25;
 
 /** A frame that the reader waits for goes before one that only should be ready. */
 const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
@@ -47,6 +48,8 @@ export class LiveFigure {
   #near = false;
   /** What the last frame was requested for. */
   #asked = "";
+  /** Milliseconds of the last frame, by the control that moved and the level. */
+  #times: Map<string, number> = new Map();
   #sound: Sound | null = null;
   /** Job of an initial frame that was taken for the live one, and is not computed yet. */
   #uncached: Job | null = null;
@@ -219,8 +222,7 @@ export class LiveFigure {
       this.motion.stop();
       showValue(fieldOf(this.form, control.name) as HTMLInputElement, control);
     }
-    const drafted = dragging && isDrafted(this.form, this.schema, control);
-    this.#ask(event.timeStamp, drafted && control ? control.name : "");
+    this.#ask(event.timeStamp, dragging && isSlider(control) ? control.name : "");
   }
 
   #pressed(event: Event) {
@@ -242,7 +244,7 @@ export class LiveFigure {
   /**
    * Request the frame of the form's present values, unless it was the last one requested.
    *
-   * @param moving Name of the control whose moves are drafted, if one moves.
+   * @param moving Name of the control that moves, if one does.
    */
   #ask(time: number, moving: string, urgency: number = URGENCY.touched) {
     if (!this.figure.isConnected || this.#waits || this.#isFolded) return;
@@ -252,11 +254,17 @@ export class LiveFigure {
     const asked = `${values} ${tier} ${this.own.key}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
-    this.#scheduler.submit({ values, tier, time, urgency });
+    this.#scheduler.submit({ values, tier, time, urgency, moving });
   }
 
+  /** The level chosen; while a control moves, the most accurate below it that was not slow. */
   #tier(moving: string) {
-    return shownTier(this.form, this.schema, moving);
+    const chosen = chosenTier(this.form, this.schema);
+    const { tiers } = this.schema;
+    if (!moving || tiers.length === 0) return chosen;
+    const levels = tiers.slice(0, tiers.indexOf(chosen) + 1);
+    const isQuick = (tier: string) => (this.#times.get(`${moving} ${tier}`) ?? 0) < FRAME_MS;
+    return levels.findLast(isQuick) ?? levels[0];
   }
 
   #request(values: string, tier: string) {
@@ -343,6 +351,7 @@ export class LiveFigure {
     this.painter.paint(meta, reply.rasters);
     this.stages = meta.stages;
     this.#sound = soundOf(reply);
+    this.#times.set(`${job.moving} ${job.tier}`, reply.computeMs);
     this.handles.show(meta.handles);
     showStages(this.figure, meta.stages);
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
