@@ -1,9 +1,8 @@
 """What pages cost, kept: ``content/costs.json`` has a section for each tool of this folder that
-measures one thing, and ``budgets.toml`` says how much each may be. ``python -m bench.costs`` says
-what is beyond its budget."""
+measures one thing, and ``budgets.toml`` says how much each may be. ``python -m bench.costs``
+reports what is beyond its budget; only a tool that cannot measure fails."""
 
 import json
-import sys
 import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -45,12 +44,11 @@ def _leaves(budgets: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator[
             yield (*path, name), value
 
 
-def main() -> int:
+def main() -> None:
     costs = json.loads((ROOT / DATA).read_text(encoding="utf-8"))
     complaints = [*beyond(costs, tomllib.loads(BUDGETS.read_text(encoding="utf-8")))]
     print("\n".join(complaints) or "every cost is within its budget")
-    return 1 if complaints else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

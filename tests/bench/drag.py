@@ -3,14 +3,15 @@
 Every slider of every scene of the built book is dragged from end to end and back by a script that
 stands outside the book's own: ``js/drag.js``. A time runs from an event to the first animation
 frame after the one that shows the answer, so that it is about a whole number of display frames.
-A slider whose 95th percentile is beyond its scene's bound is named at the end. ``--scene`` measures
-some scenes only; of all scenes, a summary goes into ``content/costs.json``.
+A row says how many moves were answered later than the bound of the speed, and which level was shown
+for most of them and at rest. All is measured at full speed and, on Linux, in browsers that are held
+back (``slowed.py``). ``--scene`` measures some scenes only and ``--times`` some speeds; of all, a
+summary goes into ``content/costs.json``.
 """
 
 import argparse
 import json
 import statistics
-import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -18,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from bench.costs import SITE, keep
+from bench.slowed import held_back
 from playwright.sync_api import JSHandle, Page
 from support.chromium import open_chromium
 from support.reader import DESK
@@ -26,66 +28,93 @@ from support.static_server import serving
 from site_builder.benchmarks.measuring import significant
 
 FRAME_MS = 1000 / 60
-BOUND_FRAMES = 2
-"""Display frames at the 95th percentile."""
-BOUNDS = {"camera": 3, "depth-of-field": 3, "lens-distortion": 3}
-"""Bounds of scenes that compute a whole camera."""
+BOUNDS_MS = {1.0: 2 * FRAME_MS, 4.0: 67.0, 7.5: 150.0}
+"""Bound of the 95th percentile, by how many times the browser is held back."""
 EARLY_MS = 1.0
 """An animation frame that comes so much late is still that frame."""
 MOVES, ROUNDS = 6, 2
 READ_MS = 2000
-"""What a reader takes at least before a hand comes: drafts are computed meanwhile."""
+"""What a reader takes at least before a hand comes: a frame may be computed ahead meanwhile."""
+LONGEST_MS = 120_000
 DRAG = "([drag, figure, hand]) => drag.drag({...hand, figure})"
 EXERCISE = "([drag, figure, hand]) => drag.exercise({...hand, figure})"
 SCRIPTS = Path(__file__).parent / "js"
-CENTRE = """figure => figure.scrollIntoView({block: 'center', behavior: 'instant'})"""
+SHOW = """figure => {
+  for (let at = figure; at; at = at.parentElement) if (at.matches('details')) at.open = true;
+  figure.scrollIntoView({block: 'center', behavior: 'instant'});
+}"""
 RESTS = """() => [...document.querySelectorAll('simulation-figure')]
+  .filter(figure => !figure.closest('details:not([open])'))
   .every(figure => figure.dataset.state === 'live' && figure.rests)"""
+"""A figure in a section that is folded up does not start."""
 
 
 @dataclass(frozen=True, slots=True)
-class Latency:
-    """A row of the table; times in milliseconds."""
+class Drag:
+    """A slider dragged from end to end and back; times in milliseconds, one of each move."""
 
     scene: str
     control: str
-    moves: int
-    median: float
-    p95: float
-    compute: float
-    """Median in Python."""
+    times: float
+    """How many times the browser was held back."""
+    latencies: Sequence[float]
+    computes: Sequence[float]
+    """In Python."""
+    levels: Sequence[str]
+    """What was shown; empty where the scene has only one level."""
+    rest: str
+    """The level at rest."""
 
     @property
-    def bound_ms(self) -> float:
-        return BOUNDS.get(self.scene, BOUND_FRAMES) * FRAME_MS
+    def median(self) -> float:
+        return statistics.median(self.latencies)
+
+    @property
+    def p95(self) -> float:
+        return statistics.quantiles(self.latencies, n=20, method="inclusive")[-1]
+
+    @property
+    def level(self) -> str:
+        """The level of most moves."""
+        return statistics.mode(self.levels)
+
+    @property
+    def late_moves(self) -> int:
+        return sum(latency > BOUNDS_MS[self.times] + EARLY_MS for latency in self.latencies)
 
     @property
     def late(self) -> bool:
         """Whether the hand has to wait for the figure."""
-        return self.p95 > self.bound_ms + EARLY_MS
+        return self.p95 > BOUNDS_MS[self.times] + EARLY_MS
 
 
-def row(scene: str, control: str, latencies: list[float], computes: list[float]) -> Latency:
-    """The figures of one slider's moves."""
-    p95 = statistics.quantiles(latencies, n=20, method="inclusive")[-1]
-    times = (statistics.median(latencies), p95, statistics.median(computes))
-    return Latency(scene, control, len(latencies), *(round(time, 1) for time in times))
+HEADING = (
+    f"{'scene':24} {'control':16} {'times':>5} {'late':>7} {'median':>7} {'p95':>7} {'Python':>7}"
+    "  moving -> at rest"
+)
 
 
-def line(found: Latency) -> str:
-    mark = f"  over {found.bound_ms:.0f} ms" if found.late else ""
+def line(found: Drag) -> str:
+    late = f"{found.late_moves}/{len(found.latencies)}"
+    levels = f"{found.level} -> {found.rest}" if found.rest else "one level"
+    mark = f"  over {BOUNDS_MS[found.times]:.0f} ms" if found.late else ""
     return (
-        f"{found.scene:24} {found.control:16} {found.moves:4} "
-        f"{found.median:8.1f} {found.p95:8.1f} {found.compute:8.1f}{mark}"
+        f"{found.scene:24} {found.control:16} {found.times:5g} {late:>7} {found.median:7.1f} "
+        f"{found.p95:7.1f} {statistics.median(found.computes):7.1f}  {levels}{mark}"
     )
 
 
 @contextmanager
-def open_book() -> Iterator[tuple[Page, str]]:
-    """A page, and the address of the built book."""
-    with open_chromium() as browser, serving(SITE) as server:
-        page = browser.new_page(viewport=DESK, service_workers="block", bypass_csp=True)
-        page.set_default_timeout(60_000)
+def open_book(times: float = 1.0) -> Iterator[tuple[Page, str]]:
+    """A page of a browser that is held back, and the address of the built book."""
+    with open_chromium(*held_back(times)) as browser, serving(SITE) as server:
+        page = browser.new_page(
+            viewport=DESK,
+            service_workers="block",
+            bypass_csp=True,
+            reduced_motion="reduce",  # nothing moves but what the script drags
+        )
+        page.set_default_timeout(LONGEST_MS)
         yield page, server.url
 
 
@@ -99,18 +128,19 @@ def hand_script(page: Page, name: str = "drag.js") -> JSHandle:
 
 
 def figure_at_rest(page: Page, scene: str) -> JSHandle:
-    """The figure of a scene in the middle of the window, when all of the page have their frames."""
+    """The figure of a scene in the middle of the window, its section unfolded, when all figures
+    that may start have their frames."""
     figure = page.query_selector(f'simulation-figure[data-simulation="{scene}"]')
     if figure is None:
         raise ValueError(f"scene {scene!r}; legal: one that this page shows")
-    figure.evaluate(CENTRE)
+    figure.evaluate(SHOW)
     page.wait_for_function(RESTS)
     return figure
 
 
 def measure(
-    page: Page, address: str, book: Any, wanted: Sequence[str], rounds: int = ROUNDS
-) -> Iterator[Latency]:
+    page: Page, address: str, book: Any, wanted: Sequence[str], times: float
+) -> Iterator[Drag]:
     """Each scene in the first chapter that shows it."""
     controls = {each["id"]: each["controls"] for each in book["simulations"]}
     waiting = set(wanted)
@@ -126,18 +156,21 @@ def measure(
             page.wait_for_timeout(READ_MS)
             for control in controls[scene]:
                 if control["kind"] == "slider":
-                    hand = {"name": control["name"], "moves": MOVES, "rounds": rounds}
-                    yield row(scene, control["name"], **page.evaluate(DRAG, [drag, figure, hand]))
+                    hand = {"name": control["name"], "moves": MOVES, "rounds": ROUNDS}
+                    found = page.evaluate(DRAG, [drag, figure, hand])
+                    yield Drag(scene, control["name"], times, **found)
 
 
-def summary(rows: Sequence[Latency], slowest: Sequence[float], late: int) -> dict[str, float]:
-    """All sliders in few numbers; ``slowest`` has one of each."""
+def summary(rows: Sequence[Drag]) -> dict[str, float]:
+    """All sliders in few numbers."""
+    late = sum(found.late for found in rows)
     return {
         "sliders": len(rows),
         "late": late,
         "in_time": len(rows) - late,
+        "at_rest": sum(found.level == found.rest for found in rows),
         "median_ms": significant(statistics.median(found.median for found in rows), 3),
-        "slowest_ms": significant(max(slowest), 3),
+        "slowest_ms": significant(max(found.p95 for found in rows), 3),
     }
 
 
@@ -146,24 +179,25 @@ def read_book() -> Any:
     return json.loads((SITE / "book.json").read_text(encoding="utf-8"))
 
 
-def main() -> int:
+def main() -> None:
     parser = argparse.ArgumentParser(prog="bench.drag", description=__doc__)
     parser.add_argument("--scene", action="append", default=[])
+    parser.add_argument("--times", action="append", default=[], type=float, choices=BOUNDS_MS)
     asked, book = parser.parse_args(), read_book()
     wanted = asked.scene or [each["id"] for each in book["simulations"]]
-    print(f"{'scene':24} {'control':16} {'n':>4} {'median':>8} {'p95':>8} {'Python':>8}")
-    rows = []
-    with open_book() as (page, address):
-        for found in measure(page, address, book, wanted):
-            rows.append(found)
-            print(line(found), flush=True)
-    late = [found for found in rows if found.late]
-    if not asked.scene:
-        keep("frames", summary(rows, [found.p95 for found in rows], len(late)))
-    print(f"{len(rows) - len(late)} of {len(rows)} sliders are followed in time")
-    print(*(line(found) for found in late), sep="\n", end="\n" if late else "", file=sys.stderr)
-    return 1 if late else 0
+    print(HEADING)
+    found: dict[str, dict[str, float]] = {}
+    for times in asked.times or BOUNDS_MS:
+        rows = []
+        with open_book(times) as (page, address):
+            for each in measure(page, address, book, wanted, times):
+                rows.append(each)
+                print(line(each), flush=True)
+        found[f"{times:g}"] = summary(rows)
+        print(f"held back {times:g} times: {json.dumps(found[f'{times:g}'])}", flush=True)
+    if not asked.scene and not asked.times:
+        keep("drags", found)
 
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    main()

@@ -16,6 +16,13 @@ RUN_S = 0.002
 """How long it runs at a time."""
 
 
+def held_back(times: float) -> list[str]:
+    """Arguments for Chromium whose pages and workers run at a fraction of their speed."""
+    if times == 1:
+        return []
+    return [f"--renderer-cmd-prefix={sys.executable} {Path(__file__).resolve()} {times:g}"]
+
+
 def main() -> None:
     times, program = float(sys.argv[1]), sys.argv[2:]
     slowed = os.getpid()

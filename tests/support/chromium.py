@@ -33,14 +33,16 @@ def find_headless_shell() -> Path | None:
 
 
 @contextmanager
-def open_chromium() -> Iterator[Browser]:
+def open_chromium(*arguments: str) -> Iterator[Browser]:
     """The whole browser, for measuring; raises `SystemExit` where there is none."""
     found = find_chromium()
     if found is None:
         raise SystemExit(HOW_TO)
     with (
         sync_playwright() as playwright,
-        playwright.chromium.launch(executable_path=found, args=launch_arguments()) as browser,
+        playwright.chromium.launch(
+            executable_path=found, args=[*launch_arguments(), *arguments]
+        ) as browser,
     ):
         yield browser
 

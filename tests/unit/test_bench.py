@@ -10,8 +10,7 @@ from typing import Any
 import bench.slowed
 import pytest
 from bench.costs import beyond, keep
-from bench.drag import row
-from bench.slow_phone import drag_summary
+from bench.drag import Drag, summary
 
 BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_time())"
 
@@ -47,7 +46,15 @@ def test_slowed_program_takes_proportionally_longer() -> None:
     assert time.perf_counter() - begun > 3.0 * ran_s
 
 
-def test_slider_is_late_if_its_median_move_is_late() -> None:
-    quick, late = (row("one", "a", [100.0, middle, 900.0], [1.0]) for middle in (200.0, 300.0))
-    found = drag_summary([quick, quick, late])
-    assert (found["sliders"], found["late"], found["slowest_ms"]) == (3, 1, 300.0)
+def drag(slow: int) -> Drag:
+    """Of 24 moves at a quarter of the speed, so many are late, and drawn at a cheap level."""
+    latencies = [90.0] * slow + [50.0] * (24 - slow)
+    levels = ["cheap"] * slow + ["best"] * (24 - slow)
+    return Drag("one", "a", 4.0, latencies, [1.0], levels, "best")
+
+
+def test_slider_is_late_if_more_than_one_move_in_twenty_is() -> None:
+    in_time, late = drag(1), drag(3)
+    assert (in_time.late, late.late, late.late_moves) == (False, True, 3)
+    found = summary([in_time, late, drag(20)])
+    assert (found["sliders"], found["late"], found["at_rest"], found["slowest_ms"]) == (3, 2, 2, 90)

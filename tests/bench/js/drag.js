@@ -8,6 +8,13 @@
 
 /** Longest wait for a frame, in milliseconds. */
 const PATIENCE = 20_000;
+/**
+ * @typedef {{latencies: number[], computes: number[]}} Moved Milliseconds from the event to the
+ *   animation frame, and in Python.
+ * @typedef {Moved & {levels: string[], rest: string}} Dragged The levels that were shown, and the one
+ *   at rest.
+ */
+
 /** From a hand's first move to its hold on a slider: nothing new is computed ahead meanwhile. */
 const APPROACH = 400;
 
@@ -16,14 +23,13 @@ const APPROACH = 400;
  *
  * @param {{figure: HTMLElement, name: string, moves: number, rounds: number}} hand The slider's
  *   name, into how many moves its way is parted, how often it is walked.
- * @returns {Promise<{latencies: number[], computes: number[]}>} Milliseconds of each move: from the
- *   event to the animation frame, and in Python.
+ * @returns {Promise<Dragged>} Of each move.
  */
 export async function drag({ figure, name, moves, rounds }) {
   const range = /** @type {HTMLInputElement} */ (figure.querySelector(`input[name="${name}"]`));
   const [before, from, to] = [range.value, Number(range.min), Number(range.max)];
-  /** @type {{latencies: number[], computes: number[]}} */
-  const found = { latencies: [], computes: [] };
+  /** @type {Dragged} */
+  const found = { latencies: [], computes: [], levels: [], rest: "" };
   figure.dispatchEvent(new PointerEvent("pointermove", { bubbles: true }));
   await new Promise((resolve) => setTimeout(resolve, APPROACH));
   for (const place of way(moves, rounds)) {
@@ -32,11 +38,12 @@ export async function drag({ figure, name, moves, rounds }) {
     if (range.value === last) continue;
     found.latencies.push(await answered(figure, range, "input"));
     found.computes.push(Number(figure.dataset.computeMs));
+    found.levels.push(level(figure));
   }
   range.value = before;
   for (const type of ["input", "change"]) range.dispatchEvent(new Event(type, { bubbles: true }));
   await resting(figure);
-  return found;
+  return { ...found, rest: level(figure) };
 }
 
 /**
@@ -44,11 +51,11 @@ export async function drag({ figure, name, moves, rounds }) {
  * hand, so that it draws the one anew.
  *
  * @param {{figure: HTMLElement, name: string, value: string, others: string[], rounds: number}} hand
- * @returns {Promise<{latencies: number[], computes: number[]}>} Of that one, as of `drag`.
+ * @returns {Promise<Moved>} Of that one.
  */
 export async function choose({ figure, name, value, others, rounds }) {
   const list = /** @type {HTMLSelectElement} */ (figure.querySelector(`select[name="${name}"]`));
-  /** @type {{latencies: number[], computes: number[]}} */
+  /** @type {Moved} */
   const found = { latencies: [], computes: [] };
   for (let round = 0; round < rounds; round += 1) {
     for (const entry of [...others, value]) {
@@ -112,6 +119,15 @@ function* way(moves, rounds) {
 
 function nextFrame() {
   return new Promise((resolve) => requestAnimationFrame(resolve));
+}
+
+/**
+ * The level of the frame that is shown; empty where the scene has only one.
+ *
+ * @param {HTMLElement} figure
+ */
+function level({ dataset }) {
+  return dataset.level ?? dataset.tier ?? "";
 }
 
 /** @param {HTMLElement} figure */
