@@ -27,6 +27,7 @@ class UndeterminedError(ValueError):
 
 TILT = "The photographs do not tell the focal length: take some with the board tilted by 30° to 45°"
 FLAT = "Photograph {}: its corners lie on one line; leave it out"
+BEYOND = "Photograph {}: this lens sees fewer than four of its corners; leave it out"
 FEW = "At least {} photographs are needed, from different sides"
 
 
@@ -44,10 +45,17 @@ def closed_form(views: Views, size: tuple[int, int]) -> tuple[Camera, Poses]:
 
 
 def homographies(views: Views) -> Floats:
-    """(P, 3, 3) from each board to its picture."""
+    """(P, 3, 3) from each board to its picture.
+
+    Raises `UndeterminedError` for a photograph with fewer than four corners, or with all of them
+    on a line.
+    """
     found = []
     for index in range(len(views)):
-        H, valid = estimate_homography(*views.of(index))
+        board, pixels = views.of(index)
+        if len(board) < 4:
+            raise UndeterminedError(BEYOND.format(index + 1))
+        H, valid = estimate_homography(board, pixels)
         if not valid:
             raise UndeterminedError(FLAT.format(index + 1))
         found.append(H)
@@ -108,7 +116,10 @@ def _from_b(b: Floats) -> tuple[float, float, float, float]:
 
 
 def poses_seen(views: Views, camera: Camera) -> Poses:
-    """The poses of boards by corners that the camera's lens is taken out of."""
+    """The poses of boards by corners that the camera's lens is taken out of.
+
+    Raises `UndeterminedError` where the lens cannot have seen a board.
+    """
     ideal, valid = camera.ideal(views.pixels)
     straight = Views(views.board, ideal, views.found & valid)
     return poses_of(homographies(straight), np.eye(3))

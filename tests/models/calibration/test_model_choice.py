@@ -1,12 +1,14 @@
 """The supported lens model, its stated errors, and advice for the next photograph."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from support.sittings import SIZE, TRUTH, calibrate, photographs
 
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import refine
-from simulations.models.calibration.camera import LENSES, PINHOLE, Camera
+from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.left_out import growth, left_out_px
 from simulations.models.calibration.model_choice import (
     compare,
@@ -15,6 +17,7 @@ from simulations.models.calibration.model_choice import (
 )
 from simulations.models.calibration.standard_errors import uncertainty
 from simulations.models.distortion.lens_model import Distortion
+from simulations.models.geometry import rotations
 
 
 @pytest.mark.parametrize(
@@ -127,3 +130,23 @@ def test_growth_agrees_with_calibrations_of_the_first_photographs() -> None:
         assert value == pytest.approx(alone.camera.fx, abs=0.1 * error)
         formula = 0.1 * np.sqrt(stated.covariance[0, 0]) / stated.sigma_px
         assert error == pytest.approx(max(formula, stated.spread[0]), rel=0.05)
+
+
+@pytest.mark.parametrize("corner", [(0.08, 0.08), (0.92, 0.08), (0.08, 0.92), (0.92, 0.92)])
+@pytest.mark.parametrize("share", [0.1, 0.14, 0.2])
+def test_small_board_in_a_corner_of_one_photograph_is_calibrated_with_the_others(
+    corner: tuple[float, float], share: float
+) -> None:
+    truth = photographs(8, seed=3)
+    columns, rows = truth.board.corners
+    pitch_px = share * SIZE[0] / (columns - 1)
+    depth = truth.camera.fx / pitch_px
+    place = np.multiply(corner, np.subtract(SIZE, 1)) - (truth.camera.cx, truth.camera.cy)
+    centre = np.append(place * depth / truth.camera.fx, depth)
+    R, t = truth.poses.R.copy(), truth.poses.t.copy()
+    R[-1] = rotations.exponential((0.3, -0.2, 0.1))
+    t[-1] = centre - R[-1] @ (0.5 * (columns - 1), 0.5 * (rows - 1), 0.0)
+    views = replace(truth, poses=Poses(R, t)).views(0.05)
+    chosen = supported(compare(views, SIZE))
+    off = abs(chosen.fit.camera.fx - truth.camera.fx)
+    assert off < 3.5 * chosen.uncertainty.errors["fx"]
