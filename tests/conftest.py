@@ -13,9 +13,8 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, sync_playwright
-from support.built import built_once
 from support.chromium import HOW_TO, find_chromium, find_headless_shell, launch_arguments
-from support.engine import Engine, make_engine
+from support.engine import Engine, built_once, make_engine
 from support.kernels import in_use
 from support.places import ROOT
 from support.reader import DESK, Reader, visit
@@ -37,17 +36,17 @@ prepare_photographs(ROOT)  # scenes import them
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
-    """One more than there are cores: tests of the browser often wait for it to paint or to rest."""
+    """One more than the number of cores, since browser tests often wait for the browser."""
     return None if "not browser" in config.option.markexpr else (os.cpu_count() or 1) + 1
 
 
 def pytest_report_header() -> str:
-    """Errors near rounding depend on them."""
+    """The kernels in use, on which errors near rounding depend."""
     return f"kernels: {in_use()}"
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Under continuous integration a test may be tried again; that it had to be is a fault."""
+    """Report each test that passed only when it was run again, which CI allows."""
     for report in terminalreporter.stats.get("rerun", ()):
         terminalreporter.write_line(f"FAULT: it passes or fails by chance: {report.nodeid}")
 
@@ -58,7 +57,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.fixture(scope="session")
 def imports_of_the_book() -> Table:
-    """What each module of the simulations imports: four hundred sources, read once."""
+    """The imports of each module of ``simulations``, read once from four hundred sources."""
     return imports_of(module_files(ROOT / "simulations"))
 
 
@@ -66,7 +65,7 @@ def imports_of_the_book() -> Table:
 def built_site(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, worker_id: str
 ) -> Path:
-    """The whole book, built once for all workers by the command that everyone uses."""
+    """The whole book, built once for all workers by the usual command."""
     given: Path | None = request.config.getoption("--site")
     if given:
         return given
@@ -80,14 +79,14 @@ def built_site(
 
 @pytest.fixture(scope="session")
 def engine(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Engine:
-    """What authors install, for books that are not this one."""
+    """The engine as authors install it, for other books."""
     make = partial(make_engine, ROOT)
     return Engine(built_once(tmp_path_factory, worker_id, "engine", make))
 
 
 @pytest.fixture(scope="session")
 def book(built_site: Path) -> Any:
-    """``book.json``: what the tests are driven by, so that new chapters and scenes are covered."""
+    """``book.json``, from which tests take chapters and scenes, so that new ones are covered."""
     return json.loads((built_site / "book.json").read_text(encoding="utf-8"))
 
 
@@ -99,25 +98,25 @@ def site_server(built_site: Path) -> Iterator[StaticServer]:
 
 @pytest.fixture
 def server(site_server: StaticServer) -> Iterator[StaticServer]:
-    """The served book; after a test, its files are whole again and the host is back."""
+    """The served book; the faults that a test sets end with the test."""
     yield site_server
-    site_server.gone = False
+    site_server.offline = False
     site_server.damaged.clear()
     site_server.faults.clear()
 
 
 @pytest.fixture(scope="session")
-def whole_browser() -> Path:
-    """Chromium with a window: others do not keep a page that was left."""
+def full_chromium() -> Path:
+    """Chromium with a window; without one it has no back/forward cache."""
     found = find_chromium()
     assert found, HOW_TO
     return found
 
 
 @pytest.fixture(scope="session")
-def launch(whole_browser: Path) -> Iterator[Callable[..., Browser]]:
+def launch(full_chromium: Path) -> Iterator[Callable[..., Browser]]:
     """Start a browser with these arguments beside those that it needs."""
-    usual = {"executable_path": find_headless_shell() or whole_browser}
+    usual = {"executable_path": find_headless_shell() or full_chromium}
     with sync_playwright() as playwright:
         yield lambda *arguments, **options: playwright.chromium.launch(
             args=[*launch_arguments(), *arguments], **{**usual, **options}
@@ -131,61 +130,61 @@ def chromium(launch: Callable[..., Browser]) -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="session")
-def brisk_chromium(launch: Callable[..., Browser]) -> Iterator[Browser]:
-    """It starts the interpreter with a third less work and is slower afterwards: WebAssembly is
-    compiled once, and not again to run faster."""
+def baseline_chromium(launch: Callable[..., Browser]) -> Iterator[Browser]:
+    """Chromium that compiles WebAssembly without optimisation: the interpreter starts with a third
+    less work and runs more slowly afterwards."""
     with launch("--js-flags=--liftoff-only") as browser:
         yield browser
 
 
 @pytest.fixture
-def reader(brisk_chromium: Browser, server: StaticServer) -> Iterator[Reader]:
-    """A reader with a fresh browser profile. Complaints of the browser fail the test."""
-    with visit(brisk_chromium, server) as someone:
-        yield someone
-    someone.assert_no_complaints()
+def reader(baseline_chromium: Browser, server: StaticServer) -> Iterator[Reader]:
+    """A reader with a fresh browser profile; errors in the browser fail the test."""
+    with visit(baseline_chromium, server) as reader:
+        yield reader
+    reader.assert_no_errors()
 
 
 @pytest.fixture(scope="session")
 def long_visit(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    with visit(chromium, site_server) as someone:
-        yield someone
+    with visit(chromium, site_server) as reader:
+        yield reader
 
 
 @pytest.fixture
 def visitor(long_visit: Reader) -> Iterator[Reader]:
-    """A reader in the middle of a visit: the interpreter runs, and the page has no figure.
+    """A reader on a page without a figure, with the interpreter running.
 
-    For tests that change no more than the page, the storage and the size of the window.
+    For tests that change only the page, the storage and the size of the window.
     """
     long_visit.page.set_viewport_size(DESK)
-    long_visit.turn_to("lecture-plan/", live=False)  # the lightest page
-    long_visit.forget()
+    long_visit.turn_to("lecture-plan/", live=False)  # the smallest page
+    long_visit.clear_storage()
     yield long_visit
-    long_visit.assert_no_complaints()
+    long_visit.assert_no_errors()
 
 
 @pytest.fixture
 def guest(long_visit: Reader) -> Iterator[Reader]:
-    """The same reader, on the page of the test before: for `Reader.stay_at_figure`."""
+    """The same reader, still on the page of the previous test: for `Reader.figure_at_rest`."""
     long_visit.page.set_viewport_size(DESK)
     yield long_visit
-    long_visit.assert_no_complaints()
+    long_visit.assert_no_errors()
 
 
 @pytest.fixture(scope="session")
 def plain_visit(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    with visit(chromium, site_server, "delete globalThis.WebAssembly") as someone:
-        yield someone
+    with visit(chromium, site_server, "delete globalThis.WebAssembly") as reader:
+        yield reader
 
 
 @pytest.fixture
 def plain_reader(plain_visit: Reader) -> Iterator[Reader]:
-    """A reader whose browser cannot run Python: pages open at once, all else must work.
+    """A reader whose browser cannot run Python; everything else must work.
 
-    It is one browser for all tests, since a fresh profile costs more than most of them: it
-    forgets before each, and loads its pages anew.
+    All tests share one browser profile, since a fresh one takes longer than most tests; it is reset
+    before each.
     """
-    plain_visit.begin_anew()
+    plain_visit.reset()
     yield plain_visit
-    plain_visit.assert_no_complaints()
+    plain_visit.assert_no_errors()

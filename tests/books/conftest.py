@@ -6,8 +6,7 @@ from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
-from support.built import built_once
-from support.engine import Engine
+from support.engine import Engine, built_once
 from support.places import GERMAN_BOOK
 
 

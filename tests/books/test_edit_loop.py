@@ -66,7 +66,7 @@ def wait_for_server(port: int) -> None:
 
 @pytest.fixture(scope="module")
 def author(
-    engine: Engine, tmp_path_factory: pytest.TempPathFactory, brisk_chromium: Browser
+    engine: Engine, tmp_path_factory: pytest.TempPathFactory, baseline_chromium: Browser
 ) -> Iterator[Author]:
     folder = tmp_path_factory.mktemp("edited")
     book, port = folder / "book", free_port()
@@ -77,7 +77,7 @@ def author(
     with subprocess.Popen(
         [*command, "--out", str(folder / "site")], cwd=book, stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
-    ) as serving, brisk_chromium.new_context(service_workers="block") as context:  # fmt: skip
+    ) as serving, baseline_chromium.new_context(service_workers="block") as context:  # fmt: skip
         try:
             wait_for_server(port)
             context.add_init_script(SILENT_WORKER)

@@ -10,9 +10,8 @@ from xml.etree import ElementTree
 import pytest
 from playwright.sync_api import Browser, expect
 from support.engine import Engine
-from support.found import ILLUSTRATIONS, TABLES
-from support.interface_words import engine_sentences, phrases, said
-from support.places import GERMAN_BOOK, SCENES
+from support.interface_words import engine_sentences, phrases, visible_text
+from support.places import GERMAN_BOOK, SCENES, hard_cases, illustrations
 from support.reader import Reader, visit
 from support.static_server import serving
 
@@ -41,7 +40,12 @@ def test_german_book_has_its_chapters_figures_and_all_question_kinds(german_book
 
 
 def test_german_book_ships_no_parts_of_this_book(site: Path) -> None:
-    ours = [*SCENE_MODULES, *LADDER_MODULES, *ILLUSTRATIONS, *(table.id for table in TABLES)]
+    ours = [
+        *SCENE_MODULES,
+        *LADDER_MODULES,
+        *illustrations(),
+        *(table.id for table in hard_cases()),
+    ]
     ids = re.compile(rf"""["'#/](?:figure-|ladder-|extremes-)?({"|".join(ours)})["'/]""")
     leaked = [
         f"{file.relative_to(site)}: {found[1]}"
@@ -67,12 +71,12 @@ def test_german_book_has_no_english_interface_texts(site: Path) -> None:
     left = [
         f"{file.relative_to(site)}: {phrase!r} ({key})"
         for file in files
-        for text in (said(file),)
+        for text in (visible_text(file),)
         for key, phrase in phrases(ENGLISH)
         if phrase in text and phrase not in GERMAN
     ]
     assert left == []
-    texts = {file: re.sub(r"<[^>]*>", "\n", said(file)) for file in pages(site)}
+    texts = {file: re.sub(r"<[^>]*>", "\n", visible_text(file)) for file in pages(site)}
     left = [
         f"{file.relative_to(site)}: {sentence!r}"
         for file, text in texts.items()
@@ -80,12 +84,16 @@ def test_german_book_has_no_english_interface_texts(site: Path) -> None:
         if sentence in text
     ]
     assert left == []
-    tags = {tag for file in pages(site) for tag in re.findall(r'<html lang="([^"]*)"', said(file))}
+    tags = {
+        tag
+        for file in pages(site)
+        for tag in re.findall(r'<html lang="([^"]*)"', visible_text(file))
+    }
     assert tags == {"de"}
 
 
 def test_quotes_numbers_labels_and_licence_are_german(site: Path) -> None:
-    text = said(site / "das-pendel" / "index.html")
+    text = visible_text(site / "das-pendel" / "index.html")
     for phrase in (
         *("Ein „Pendel“ ist", "zeigt die Abbildung 2,48\u00a0s.", "Galilei und Elsevier 1638"),
         *("1. Auflage", ">Abbildung 1.1</a>", ">Rechenbeispiel 1.1</a>", "unter CC BY-SA 4.0"),
@@ -138,11 +146,11 @@ def test_folder_that_is_no_book_or_hides_the_engine_is_refused(
 
 @pytest.mark.browser
 def test_german_book_works_in_the_browser(
-    site: Path, german_book: Any, brisk_chromium: Browser
+    site: Path, german_book: Any, baseline_chromium: Browser
 ) -> None:
     with (
         serving(site) as server,
-        visit(brisk_chromium, server, folded=True, bypass_csp=True) as reader,
+        visit(baseline_chromium, server, folded=True, bypass_csp=True) as reader,
     ):
         figure = reader.open_figure(german_book, "fadenpendel")
         figure.locator("input[name=length]").fill("1.5")
@@ -161,7 +169,7 @@ def test_german_book_works_in_the_browser(
         kept = reader.page.evaluate("Object.keys(localStorage)")
         assert kept
         assert all(name.startswith("schwingungen:") for name in kept)
-        reader.assert_no_complaints()
+        reader.assert_no_errors()
 
 
 def answer(reader: Reader) -> None:
@@ -202,9 +210,12 @@ AudioBufferSourceNode.prototype.start = function (when, offset) {
 
 @pytest.mark.browser
 def test_sound_plays_on_a_press_and_follows_a_moved_control(
-    site: Path, german_book: Any, brisk_chromium: Browser
+    site: Path, german_book: Any, baseline_chromium: Browser
 ) -> None:
-    with serving(site) as server, visit(brisk_chromium, server, LISTEN, bypass_csp=True) as reader:
+    with (
+        serving(site) as server,
+        visit(baseline_chromium, server, LISTEN, bypass_csp=True) as reader,
+    ):
         figure = reader.open_figure(german_book, "saite")
         button = figure.locator("[data-play-sound]")
         assert reader.page.evaluate("heard") == []
@@ -221,11 +232,11 @@ def test_sound_plays_on_a_press_and_follows_a_moved_control(
         assert (first["length"], first["rate"], first["offset"]) == (44_100, 22_050, 0)
         assert 0.4 < first["peak"] <= 0.5
         assert second["offset"] > 0, "goes on where the first was"
-        reader.uncover(figure)
+        reader.open_controls(figure)
         before = reader.frames(figure)
         figure.locator("input[name=phase]").fill("0.5")
         reader.wait_frame(figure, before)
         button.click()
         expect(button).to_have_text(play)
         reader.turn_to_figure(german_book, "fadenpendel")
-        reader.assert_no_complaints()
+        reader.assert_no_errors()

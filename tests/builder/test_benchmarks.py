@@ -10,9 +10,9 @@ from typing import Any
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from support.ladders import timing as timed
+from support.ladders import toy_data, toy_ladder, toy_measurements
 from support.little_book import MakeBook
-from support.toy_ladder import timing as timed
-from support.toy_ladder import toy_data, toy_ladder, toy_measurements
 
 from simulations.engine.frame import Frame
 from simulations.engine.ladder import TierResult

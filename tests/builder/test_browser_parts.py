@@ -12,9 +12,8 @@ from typing import Any
 
 import pytest
 from jinja2 import DictLoader, Environment
-from support.little_book import MakeBook
+from support.little_book import PACKAGE, MakeBook, small_package
 from support.places import ROOT
-from support.small_package import PACKAGE, small_package
 
 from simulations.editing import definitions
 from simulations.registry import SCENE_MODULES, load_scene

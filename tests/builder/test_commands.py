@@ -17,9 +17,8 @@ from typing import Any
 
 import pytest
 import yaml
-from support.little_book import OUTLINE, MakeBook, diagnostics
+from support.little_book import OUTLINE, PACKAGE, MakeBook, diagnostics, small_package
 from support.places import ROOT
-from support.small_package import PACKAGE, small_package
 
 from site_builder.__main__ import find
 from site_builder.build import Options, render_site

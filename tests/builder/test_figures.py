@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.ladders import toy_ladder
 from support.little_book import DEMO, OUTLINE, MakeBook, diagnostics, rendered
 from support.places import ROOT
-from support.toy_ladder import toy_ladder
 
 from simulations.engine.accuracy import Accuracy, columns, tiers
 from simulations.engine.drawing import line, text

@@ -15,7 +15,7 @@ from support.html_outline import Page, read_html
 from support.little_book import (
     FIXTURES,
     OUTLINE,
-    SHOWN,
+    OUTLINE_WITH_FIGURE,
     MakeBook,
     plain_scripts,
     rendered,
@@ -109,7 +109,7 @@ def test_the_title_page_has_starts_parts_and_the_first_figure_of_a_chapter(
 ) -> None:
     more = '[starts]\n"Begin" = "second"\n"Look" = "second#a-section"\n'
     more += '[path]\ntitle = "A path"\n[path.stops]\n"Why?" = "first"\n'
-    outline = SHOWN + more + '[parts]\nMotion = "second"\n'
+    outline = OUTLINE_WITH_FIGURE + more + '[parts]\nMotion = "second"\n'
     body = ":::{simulation} demo\nTry: it.\n:::\n"
     site = rendered(make_book(body, {BOOK: outline}))
     page = read_html(site["index.html"])

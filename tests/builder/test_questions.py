@@ -13,7 +13,7 @@ import onyx2moodle.parser as qti_reader
 import pytest
 from onyx2moodle.classifier import classify
 from support.little_book import FIXTURES, OUTLINE, write_book
-from support.qti import QTI, answered
+from support.qti import QTI, session_after
 
 from site_builder.build import Options, load
 from site_builder.document.book import Book
@@ -163,8 +163,8 @@ def test_a_package_lists_each_of_its_files_once(package: dict[str, str]) -> None
 def test_an_item_of_qti_judges_and_replies_as_the_book_does(
     package: dict[str, str], question: str, answer: str, score: float, replies: list[str]
 ) -> None:
-    session = answered(package[f"items/quiz-{question}.xml"], answer)
-    assert (session.score, session.shown) == (score, replies)
+    session = session_after(package[f"items/quiz-{question}.xml"], answer)
+    assert (session.score, session.replies) == (score, replies)
 
 
 def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.small_package import PACKAGE, small_package
+from support.little_book import PACKAGE, small_package
 
 from simulations.engine.frame import Readout
 from simulations.engine.settings import values_of

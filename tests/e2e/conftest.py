@@ -20,25 +20,25 @@ def uncached(built_site: Path) -> Iterator[StaticServer]:
 
 
 @pytest.fixture(scope="session")
-def telephone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+def telephone(baseline_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
     options: dict[str, Any] = {"viewport": PHONE, "has_touch": True, "is_mobile": True}
-    with visit(brisk_chromium, site_server, SILENT_WORKER, **options) as someone:
-        yield someone
+    with visit(baseline_chromium, site_server, SILENT_WORKER, **options) as reader:
+        yield reader
 
 
 @pytest.fixture
 def quiet_phone(telephone: Reader) -> Iterator[Reader]:
-    """A telephone whose Python never answers; each test loads its pages afresh."""
-    telephone.begin_anew(PHONE)
+    """A telephone on which Python never starts; each test loads its pages anew."""
+    telephone.reset(PHONE)
     yield telephone
-    telephone.assert_no_complaints()
+    telephone.assert_no_errors()
 
 
 @pytest.fixture
 def figure(guest: Reader, book: Any) -> Iterator[Locator]:
     """The figure at rest at its page's settings, with all answers shown, and with a clock that lets
     glides have intermediate frames even on a busy machine."""
-    found = guest.stay_at_figure(book, "lens-distortion")
+    found = guest.figure_at_rest(book, "lens-distortion")
     guest.page.evaluate("document.querySelectorAll('[data-reveal]').forEach((b) => b.click())")
     guest.page.evaluate(STEADY_CLOCK)
     yield found

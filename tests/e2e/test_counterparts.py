@@ -49,12 +49,12 @@ CALL = """async ([module, name, calls]) => {
 
 
 @pytest.fixture(scope="module")
-def page(brisk_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+def page(baseline_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
     """An empty page that can import the scripts."""
     folder = tmp_path_factory.mktemp("scripts")
     write_scripts(ROOT, folder, MODULES)
     (folder / "index.html").write_text("<!DOCTYPE html><title>Scripts</title>", encoding="utf-8")
-    with serving(folder) as server, brisk_chromium.new_page() as page:
+    with serving(folder) as server, baseline_chromium.new_page() as page:
         page.goto(server.url)
         yield page
 

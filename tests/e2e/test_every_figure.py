@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator
 from support.frames import frame_of, texts_of
-from support.page_scripts import GRASP, TRY_CONTROLS
+from support.page_scripts import READ_HANDLE, TRY_CONTROLS
 from support.places import ROOT
 from support.reader import PULLS, Reader
 
@@ -37,15 +37,15 @@ def test_every_control_and_handle_of_a_figure_responds(
     """Every control can be reached and makes a frame; the first of each kind changes the picture by
     keyboard and by mouse. (`tests/scenes` tests that all controls change their frames.)"""
     controls = scene_of(book, scene)["controls"]
-    figure = guest.stay_at_figure(book, scene)
+    figure = guest.figure_at_rest(book, scene)
     assert [
         answer for answer in figure.evaluate(TRY_CONTROLS, controls) if is_unresponsive(answer)
     ] == []
     for control in {kind_of(control): control for control in reversed(controls)}.values():
         for gesture in (press, click):
-            guest.put_back(figure)
+            guest.restore(figure)
             assert changes(guest, figure, control, gesture), (control["name"], gesture.__name__)
-    guest.put_back(figure)
+    guest.restore(figure)
     for handle in load_scene(scene).handles:
         assert_follows(guest, figure.locator(f'[data-handle="{handle.name}"]'), handle.name)
 
@@ -56,13 +56,13 @@ def is_unresponsive(answer: Any) -> bool:
 
 def assert_follows(guest: Reader, grip: Locator, name: str) -> None:
     """The handle, where it is shown, moves its settings by a drag and by arrow keys."""
-    start = pulled = grip.evaluate(GRASP)
-    if not start["shown"]:
+    start = pulled = grip.evaluate(READ_HANDLE)
+    if not start["visible"]:
         return
     for right, down in PULLS:
         x, y = pulled["x"], pulled["y"]
         guest.drag((x, y), (x + right, y + down))
-        pulled = grip.evaluate(GRASP)
+        pulled = grip.evaluate(READ_HANDLE)
         if pulled["values"] != start["values"]:
             break
     assert pulled["values"] != start["values"], name
@@ -70,11 +70,11 @@ def assert_follows(guest: Reader, grip: Locator, name: str) -> None:
     grip.focus()
     for key in KEYS:
         guest.page.keyboard.press(key)
-        led = grip.evaluate(GRASP)
-        if led["values"] != pulled["values"]:
+        moved = grip.evaluate(READ_HANDLE)
+        if moved["values"] != pulled["values"]:
             break
-    assert led["values"] != pulled["values"], f"{name} by keyboard"
-    assert led["told"] == led["words"], name
+    assert moved["values"] != pulled["values"], f"{name} by keyboard"
+    assert moved["announced"] == moved["words"], name
 
 
 def scene_of(book: Any, name: str) -> Any:
@@ -90,9 +90,9 @@ type Gesture = Callable[[Reader, Locator, Any, int], None]
 
 def changes(guest: Reader, figure: Locator, control: Any, gesture: Gesture) -> bool:
     """Whether a gesture on a control, tried a few times, changes what the figure shows."""
-    guest.uncover(figure)
+    guest.open_controls(figure)
     element = figure.locator(f'.controls [name="{control["name"]}"]')
-    before = guest.shown(figure)
+    before = guest.content(figure)
     for attempt in range(4):
         frames = guest.frames(figure)
         gesture(guest, element, control, attempt)
@@ -100,7 +100,7 @@ def changes(guest: Reader, figure: Locator, control: Any, gesture: Gesture) -> b
         if control.get("effect") in ("play", "set") or figure.evaluate(MAKES_A_FRAME, frames):
             guest.wait_frame(figure, frames)
         guest.settle(figure)
-        if guest.shown(figure) != before:
+        if guest.content(figure) != before:
             return True
     return False
 
@@ -122,7 +122,7 @@ def press(reader: Reader, element: Locator, control: Any, _attempt: int) -> None
 
 
 def click(reader: Reader, element: Locator, control: Any, attempt: int) -> None:
-    box = reader.bring(element)
+    box = reader.scroll_to(element)
     match control["kind"]:
         case "slider":
             share = (0.2, 0.8, 0.4, 0.6)[attempt]
@@ -140,7 +140,7 @@ def test_many_moves_end_at_the_pointer_without_a_leak(visitor: Reader, book: Any
     """Drag a handle, then a slider."""
     figure = visitor.turn_to_figure(book, "lambertian-shading")
     grip = figure.locator('[data-handle="probe"]')
-    visitor.bring(grip)
+    visitor.scroll_to(grip)
     x, y = visitor.middle(grip)
     mouse = visitor.page.mouse
     mouse.move(x, y)
@@ -153,7 +153,7 @@ def test_many_moves_end_at_the_pointer_without_a_leak(visitor: Reader, book: Any
 
     figure = visitor.turn_to_figure(book, "perspective-projection")
     slider = figure.locator("[name=depth]")
-    box = visitor.bring(slider)
+    box = visitor.scroll_to(slider)
     counts: list[dict[str, float]] = []
     while len(counts) < 2 or leaks(*counts[-2:]):  # a leak grows in every round
         assert len(counts) < 6, counts

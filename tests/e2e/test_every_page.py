@@ -238,18 +238,18 @@ def found(reader: Reader, rules: Iterable[Rule], where: str) -> Iterator[str]:
 
 
 @pytest.fixture
-def desk(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    """A reader whose Python never answers: controls are shown, but change nothing."""
-    with visit(brisk_chromium, site_server, SILENT_WORKER) as someone:
-        yield someone
-    someone.assert_no_complaints()
+def desk(baseline_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+    """A reader whose Python never starts: controls are shown, but change nothing."""
+    with visit(baseline_chromium, site_server, SILENT_WORKER) as reader:
+        yield reader
+    reader.assert_no_errors()
 
 
-def walk(reader: Reader, book: Any, asked: Mapping[int, Iterable[Rule]]) -> list[str]:
+def walk(reader: Reader, book: Any, rules_by_width: Mapping[int, Iterable[Rule]]) -> list[str]:
     """Faults of all pages at these widths."""
     wrong: list[str] = []
-    for address in reader.leaf_through(pages(book)):
-        for width, rules in asked.items():
+    for address in reader.open_each(pages(book)):
+        for width, rules in rules_by_width.items():
             reader.page.set_viewport_size({"width": width, "height": 900 if width > 600 else 800})
             wrong += found(reader, rules, f"{address or 'landing page'} at {width}")
     return wrong
@@ -280,7 +280,7 @@ def test_paper_shows_everything_without_controls_or_given_answers(desk: Reader) 
     page = desk.page
     wrong: list[str] = []
     page.emulate_media(media="print")
-    for address in desk.leaf_through(PRINTED):
+    for address in desk.open_each(PRINTED):
         wrong += found(desk, ON_PAPER, address)
     assert wrong == []
     page.emulate_media(media="screen")
@@ -319,7 +319,7 @@ def test_no_chapter_scrolls_sideways_with_text_twice_as_large(
 ) -> None:
     plain_reader.page.set_viewport_size({"width": 390, "height": 800})
     wrong: list[str] = []
-    for address in plain_reader.leaf_through(pages(book)):
+    for address in plain_reader.open_each(pages(book)):
         plain_reader.page.add_style_tag(content=LARGER_LETTERS)
         wrong += found(plain_reader, [Rule("the page is wider", WIDER, 390)], address)
         plain_reader.page.set_viewport_size({"width": 320, "height": 800})
@@ -331,7 +331,7 @@ def test_no_chapter_scrolls_sideways_with_text_twice_as_large(
 @pytest.mark.deep
 def test_copied_iframe_shows_the_whole_figure(plain_reader: Reader, book: Any) -> None:
     page, frames = plain_reader.page, []
-    for _ in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
+    for _ in plain_reader.open_each(chapter["url"] for chapter in book["chapters"]):
         frames += page.evaluate(COPIED)
     wrong = []
     for address, height in frames:
@@ -374,14 +374,14 @@ OTHERS = (
 """Pages of plain lists, which are the same on a phone."""
 
 
-def violations(reader: Reader, scheme: Any, screen: ViewportSize, asked: Any) -> list[str]:
+def violations(reader: Reader, scheme: Any, screen: ViewportSize, rules: Any) -> list[str]:
     """Violations of axe's rules on the current page, in a light or dark theme."""
     page = reader.page
     page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # nothing half faded
     page.set_viewport_size(screen)
     if not page.evaluate("'axe' in globalThis"):
         page.evaluate(AXE_CORE)
-    return list(page.evaluate(VIOLATIONS, asked))
+    return list(page.evaluate(VIOLATIONS, rules))
 
 
 @pytest.mark.deep
@@ -397,7 +397,7 @@ def test_chapter_passes_axe(plain_reader: Reader) -> None:
 
 
 def assert_accessible(plain_reader: Reader, addresses: Iterable[str]) -> None:
-    for address in plain_reader.leaf_through(addresses):
+    for address in plain_reader.open_each(addresses):
         assert violations(plain_reader, "light", DESK, ALL) == [], address
         screen, rules = (DESK, CONTRAST) if address in OTHERS else (PHONE, NARROW)
         assert violations(plain_reader, "dark", screen, rules) == [], f"{address}, dark"
@@ -405,6 +405,6 @@ def assert_accessible(plain_reader: Reader, addresses: Iterable[str]) -> None:
 
 def test_live_figure_passes_axe(visitor: Reader) -> None:
     visitor.turn_to("lens-distortion/")
-    visitor.unfold(visitor.figure("lens-distortion"))
+    visitor.open_stage_report(visitor.figure("lens-distortion"))
     assert violations(visitor, "light", DESK, {**ALL, "within": "simulation-figure"}) == []
     visitor.page.emulate_media(color_scheme="null", reduced_motion="null")

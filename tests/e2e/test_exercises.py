@@ -46,8 +46,8 @@ def test_written_function_is_judged_used_in_a_figure_and_stored(
     form.locator("textarea").focus()
     expect(form.locator(".cm-content")).to_be_focused(timeout=limit_ms())
     for text in wrong:
-        said = check(form, text)
-        assert text.splitlines()[0].removeprefix("# ")[:30] in said
+        message = check(form, text)
+        assert text.splitlines()[0].removeprefix("# ")[:30] in message
         assert form.get_attribute("data-answered") == "wrong"
     expect(form.locator(".code-solution")).to_be_visible()
     form.locator("[data-hint]").click()
@@ -139,11 +139,11 @@ def test_names_are_completed_and_any_text_gets_a_reply_or_is_stopped(
     expect(form.locator(".feedback")).to_be_empty()
     assert form.get_attribute("data-answered") is None
     for body in BODIES:
-        said = check(form, f"def image_of(H, points):\n    {body}")
-        assert len(said) > len("Not yet. Try again."), body
+        message = check(form, f"def image_of(H, points):\n    {body}")
+        assert len(message) > len("Not yet. Try again."), body
         assert form.get_attribute("data-answered") == "wrong", body
     for text in TEXTS:
         assert len(check(form, text)) > len("Not yet. Try again."), text
     figure = reader.page.locator(f"#{FIGURE} simulation-figure")
-    reader.bring(figure)
+    reader.scroll_to(figure)
     reader.settle(figure)

@@ -147,10 +147,10 @@ def cases() -> list[Any]:
 @pytest.fixture(scope="module")
 def tab(
     request: pytest.FixtureRequest,
-    brisk_chromium: Browser,
+    baseline_chromium: Browser,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Iterator[Window]:
-    with window(request.param, brisk_chromium, tmp_path_factory.mktemp("profile")) as opened:
+    with window(request.param, baseline_chromium, tmp_path_factory.mktemp("profile")) as opened:
         yield opened
 
 
@@ -159,7 +159,7 @@ def until(tab: Window, expression: str) -> Any:
     end = monotonic() + 2 * limit_s()
     while monotonic() < end:
         with suppress(RuntimeError, PlaywrightError):  # the page is just left
-            if answer := tab.ask(expression):
+            if answer := tab.evaluate(expression):
                 return answer
         sleep(0.05)
     raise TimeoutError(expression)
@@ -184,7 +184,7 @@ def test_fault_of_a_file_is_reported_and_overcome_by_the_next_try(
         file = re.findall(r"chunk-\w+\.js", main.read_text(encoding="utf-8"))[0]
     elif name == "progress_file":
         file = next(built_site.glob("assets/*/js/progress_file-*.js")).name
-    late = {NOWHERE: {"/core.zip": Fault(late_s=2)}, WHEN_MOVED: {}}
+    late = {NOWHERE: {"/core.zip": Fault(delay_s=2)}, WHEN_MOVED: {}}
     others = {**NOT_STORED, **late.get(outcome, WITHOUT_SNAPSHOT)}
     uncached.faults = {f"/{file}": KINDS[kind], **others}
     tab.open("about:blank")
@@ -204,10 +204,10 @@ def test_fault_of_a_file_is_reported_and_overcome_by_the_next_try(
 
 
 @pytest.fixture(scope="module")
-def patient(brisk_chromium: Browser, uncached: StaticServer) -> Iterator[Reader]:
+def patient(baseline_chromium: Browser, uncached: StaticServer) -> Iterator[Reader]:
     """A reader who stays on one page and retries; the browser logs an error for each file."""
-    with visit(brisk_chromium, uncached) as someone:
-        yield someone
+    with visit(baseline_chromium, uncached) as reader:
+        yield reader
 
 
 def next_try(reader: Reader) -> str:
@@ -246,14 +246,14 @@ def test_outdated_page_offers_a_reload_and_python_starts_after_an_outage(
     figure.locator(".retry").wait_for()
     assert slider.input_value() == moved
 
-    uncached.gone = True
+    uncached.offline = True
     assert "did not load" in next_try(patient)
     slider.press("ArrowRight")
     moved = slider.input_value()
-    uncached.gone = False
+    uncached.offline = False
     uncached.faults = {
         **WITHOUT_SNAPSHOT,
-        "/numpy.zip": Fault(late_s=2),
+        "/numpy.zip": Fault(delay_s=2),
         **{f"/{name}": Fault(media_type="text/plain") for name in ("python.zip", "runtime.json")},
         "/pyodide.asm.wasm": Fault(media_type="application/octet-stream"),
     }
@@ -274,7 +274,7 @@ def test_pages_without_webassembly_or_scripts_have_no_dead_controls(
     assert figure.locator("svg.overlay").first.is_visible()
     plain_reader.page.goto((built_site / CHAPTER / "index.html").as_uri())
     expect(plain_reader.page.locator(".scripts-notice:visible")).to_contain_text("http.server")
-    plain_reader.complaints.clear()  # the browser's own, of scripts in files
+    plain_reader.errors.clear()  # the browser's own, of scripts in files
     with chromium.new_context(java_script_enabled=False) as context:
         page = context.new_page()
         for chapter in book["chapters"][::4]:

@@ -31,12 +31,12 @@ def test_drag_stays_within_the_chosen_level_and_settles_in_it(
     guest: Reader, book: Any, scene: str, chosen: str, control: str
 ) -> None:
     levels = load_scene(scene).accuracy.names
-    figure = guest.stay_at_figure(book, scene)
+    figure = guest.figure_at_rest(book, scene)
     if figure.get_attribute("data-tier") != chosen:
         guest.choose(figure, "tier", chosen)
         guest.settle(figure)
-    guest.uncover(figure)
-    box = guest.bring(figure.locator(f"[name={control}]"))
+    guest.open_controls(figure)
+    box = guest.scroll_to(figure.locator(f"[name={control}]"))
     mouse = guest.page.mouse
     mouse.move(box["x"] + 0.6 * box["width"], box["y"] + box["height"] / 2)
     with guest.next_frame(figure):
@@ -60,7 +60,7 @@ def test_error_is_stated_at_rest_by_tier_and_never_for_another_frame(
     errors = {}
     for tier in ("first-order", "newton-bracketed"):
         visitor.choose(figure, "tier", tier)
-        errors[tier] = visitor.judged(figure)
+        errors[tier] = visitor.final_error(figure)
     assert errors["newton-bracketed"] == "under 10⁻⁹\xa0px"
     assert float(errors["first-order"].removesuffix("\xa0px")) > 1
     figure.evaluate(NOTE_ERROR)
@@ -111,7 +111,7 @@ def test_link_sets_a_figure_by_a_glide_and_going_back_undoes_it(
     page.go_forward()
     expect(figure.locator("[name=k1]")).to_have_value("-0.2")
     # Touching the figure stops the glide.
-    guest.put_back(figure)
+    guest.restore(figure)
     figure.evaluate(TOUCH_ON_THE_WAY)
     page.locator(BARREL).first.click()
     guest.wait_for(figure, "(figure) => figure.querySelector('[name=k1]').value <= -0.05")
@@ -119,7 +119,7 @@ def test_link_sets_a_figure_by_a_glide_and_going_back_undoes_it(
     guest.settle(figure)
     assert figure.locator("[name=k1]").input_value() == stopped != "-0.2"
     # Less motion, no glide.
-    guest.put_back(figure)
+    guest.restore(figure)
     page.emulate_media(reduced_motion="reduce")
     page.evaluate("window.passed.length = 0")
     page.locator(BARREL).first.click()
@@ -148,7 +148,7 @@ def test_link_brings_its_figure_into_view_and_a_button_leads_back(
     """A link in a prediction sets every control that its claim depends on."""
     page = guest.page
     link, back = page.locator(CORRECTED), page.locator(".way-back")
-    guest.bring(link)
+    guest.scroll_to(link)
     expect(figure.locator(".panels")).not_to_be_in_viewport(ratio=0.5)
     expect(back).to_have_count(0)
     link.click()
@@ -159,7 +159,7 @@ def test_link_brings_its_figure_into_view_and_a_button_leads_back(
     expect(link).to_be_focused()
     expect(back).to_have_count(0)
     start = figure.evaluate("f => JSON.parse(f.querySelector('script.schema').textContent).values")
-    guest.uncover(figure)
+    guest.open_controls(figure)
     figure.locator("[name=correct]").check(force=True)
     figure.locator("[name=k2]").fill("0.3")
     link = page.locator(f"[data-answers] a.set[data-figure={ID}]").first
@@ -187,9 +187,10 @@ def values(figure: Locator, *names: str) -> list[str]:
 
 def starts(figure: Locator, *names: str) -> list[str]:
     """The values at which the page starts controls."""
-    said = figure.locator("script.schema").evaluate("(script) => JSON.parse(script.text).values")
+    script = figure.locator("script.schema")
+    given = script.evaluate("(script) => JSON.parse(script.text).values")
     return [
-        f"{said[name]:g}" if isinstance(said[name], float) else str(said[name]) for name in names
+        f"{given[name]:g}" if isinstance(given[name], float) else str(given[name]) for name in names
     ]
 
 
@@ -214,8 +215,8 @@ def test_address_sets_only_its_figure_and_invalid_parts_are_named(
         names = ("k1", "k2", "picture")
         assert values(figure, *names) == starts(figure, *names)
         assert values(figure, "tier") == ["closed-form"]
-        said = figure.locator(".figure-message").inner_text()
-        assert all(f"{name}=" in said for name in meaningless)
+        message = figure.locator(".figure-message").inner_text()
+        assert all(f"{name}=" in message for name in meaningless)
     figure.locator("[name=k1]").fill("0.1")
     figure.locator(".figure-status").wait_for(state="hidden")
     visitor.turn_to(CHAPTER)
@@ -230,7 +231,7 @@ def test_address_follows_moved_controls_without_history_entries(
     visitor.turn_to(CHAPTER)
     page, figure = visitor.page, visitor.figure("lens-distortion")
     entries = page.evaluate("history.length")
-    visitor.uncover(figure)
+    visitor.open_controls(figure)
     figure.locator("[name=k1]").fill("0.3")
     figure.locator("[name=k2]").fill("-0.1")
     address = "search => location.search === search"

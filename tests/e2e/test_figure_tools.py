@@ -113,7 +113,7 @@ def test_numbers_pictures_and_drawings_are_saved(tools: Locator) -> None:
 
 
 def test_embedded_figure_works_in_a_page_of_another_origin(
-    guest: Reader, tools: Locator, brisk_chromium: Browser, built_site: Path, tmp_path: Path
+    guest: Reader, tools: Locator, baseline_chromium: Browser, built_site: Path, tmp_path: Path
 ) -> None:
     tools.locator("[data-copy-embed]").click()
     tools.locator(".tools-said", has_text="copied").wait_for()
@@ -126,14 +126,16 @@ def test_embedded_figure_works_in_a_page_of_another_origin(
     with (
         serving(tmp_path) as course,
         serving(built_site, {"Content-Security-Policy": policy}) as book,
-        brisk_chromium.new_context(viewport={"width": 1440, "height": 900}) as context,
+        baseline_chromium.new_context(viewport={"width": 1440, "height": 900}) as context,
     ):
         frame = html.replace(guest.root, book.url)
         (tmp_path / "index.html").write_text(f"<!DOCTYPE html><link rel=icon href=data:,>{frame}")
         page = context.new_page()
         context.on("request", lambda request: requests.append(request.url))
         page.on("pageerror", lambda error: errors.append(str(error)))
-        page.on("console", lambda said: errors.extend([said.text] * (said.type == "error")))
+        page.on(
+            "console", lambda message: errors.extend([message.text] * (message.type == "error"))
+        )
         page.goto(course.url)
         inside = page.frame_locator("iframe")
         expect(inside.locator("simulation-figure")).to_have_attribute("data-state", "live")
@@ -191,7 +193,7 @@ def test_figure_shows_the_readers_picture_and_then_the_books_again(
     assert choose(picture(640, 640, RED)) == [*RED]
     expect(cropped).to_be_visible()
     assert choose(picture(640, 480, GLASS)) == WHITE, "what is transparent"
-    guest.uncover(figure)
+    guest.open_controls(figure)
     with guest.next_frame(figure):
         figure.locator("select[name=picture]").select_option(index=1)
     guest.settle(figure)

@@ -14,11 +14,10 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 from playwright.sync_api import Dialog, Locator, expect
 from pypdf import PdfReader
+from support.charts import as_srgb, gaussian_edge, gaussian_half, light_of, pairs_of
 from support.dng import dng
-from support.edges import gaussian_edge, gaussian_half
 from support.engines import ENGINES, open_engine
 from support.engines.engine import Engine, wait_for
-from support.flat_fields import as_srgb, light_of, pairs_of
 from support.limits import limit_ms
 from support.reader import Reader
 from support.static_server import StaticServer
@@ -117,7 +116,7 @@ class Instrument:
         self.box = self.whole.locator(".intake")
         self.status = self.box.locator(".intake-said")
         self.photographs = self.box.locator(".intake-photo")
-        reader.bring(self.box)
+        reader.scroll_to(self.box)
         reader.settle(self.figure)
 
     def give(self, files: Sequence[Path]) -> None:
@@ -256,16 +255,16 @@ def test_photographs_are_measured_viewed_removed_refused_and_stored(
     with step("leaving asks first once nothing is stored, and then all is gone"):
         keep.uncheck()
         wait_stored(reader, 0)
-        asked = list[str]()
+        dialogs = list[str]()
 
         def leave(dialog: Dialog) -> None:
-            asked.append(dialog.type)
+            dialogs.append(dialog.type)
             dialog.accept()
 
         reader.page.once("dialog", leave)
         reader.page.locator("a", has_text="The Digital Sensor").first.click()
         reader.page.wait_for_url("**/digital-sensor/")
-        assert asked == ["beforeunload"]
+        assert dialogs == ["beforeunload"]
         reader.open(PAGE)
         expect(photographs).to_have_count(0)
     with step("a photograph that was being read at a reload is read after it"):
@@ -280,9 +279,9 @@ def test_photographs_are_measured_viewed_removed_refused_and_stored(
 
 SLOW_TO_OPEN = """() => {
   const open = createImageBitmap;
-  const told = new Promise((resolve) => { window.open_pictures = resolve; });
+  const allowed = new Promise((resolve) => { window.open_pictures = resolve; });
   createImageBitmap = async (...given) => {
-    await told;
+    await allowed;
     return open(...given);
   };
 }"""
@@ -321,7 +320,7 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
 ) -> None:
     """Too few boards give no file, the interpreter that reads them ends afterwards, and the browser
     has no storage."""
-    requests = reader.note_requests(".wasm")
+    requests = reader.record_requests(".wasm")
     reader.page.add_init_script("delete IDBFactory.prototype.open")
     reader.open(PAGE)
     page = reader.page
@@ -334,10 +333,10 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
         calibration.give(files[:1])
         expect(calibration.readout("focal")).to_have_text("not determined")
         make.click()
-        said = calibration.whole.locator(".made-files-said")
-        expect(said).to_contain_text(": At least 3 photographs")
+        message = calibration.whole.locator(".made-files-said")
+        expect(message).to_contain_text(": At least 3 photographs")
         calibration.clear()
-        expect(said).to_have_text("")
+        expect(message).to_have_text("")
     with step("three boards give the camera of CPython, and a picture without a board is refused"):
         calibration.give(files)
         expect(calibration.status).to_contain_text("3 of 4")
@@ -438,17 +437,17 @@ def test_drawn_lines_can_be_undone_and_give_the_results_of_cpython(
             figure.get_by_role("button", name=button, exact=True).click()
         visitor.settle(figure)
 
-    visitor.put_back(figure)
+    visitor.restore(figure)
     with step("an end is dragged, and put back by Undo"):
-        shown = visitor.shown(figure)
+        shown = visitor.content(figure)
         end = figure.locator('[data-handle="end-2"]')
-        visitor.bring(end)
+        visitor.scroll_to(end)
         x, y = visitor.middle(end)
         with visitor.next_frame(figure):
             visitor.drag((x, y), (x - 30, y + 20))
         visitor.settle(figure)
         assert lists().touched == 2
-        assert visitor.shown(figure) != shown
+        assert visitor.content(figure) != shown
         press("Undo")
         assert field.input_value() == ""
 
@@ -528,12 +527,12 @@ def test_photographs_and_raw_files_are_measured_in_other_engines(
         wait_for(engine, f"() => Boolean({BOX})")
         choose(engine, {f"{index}.png": png(codes) for index, codes in enumerate(EVEN)})
         wait_for(engine, READS, sheet_of_even_light())
-        engine.ask(f"() => {BOX}.querySelector('.intake-clear').click()")
+        engine.evaluate(f"() => {BOX}.querySelector('.intake-clear').click()")
         choose(engine, {f"{index}.dng": data for index, data in enumerate(dng_files())})
         wait_for(engine, READS, sheet_of_raw())
-        assert not engine.complaints()
+        assert not engine.errors()
 
 
 def choose(engine: Engine, files: dict[str, bytes]) -> None:
     """Choose files without the picker, which no driver can open."""
-    engine.ask(CHOOSE, {name: b64encode(data).decode() for name, data in files.items()})
+    engine.evaluate(CHOOSE, {name: b64encode(data).decode() for name, data in files.items()})

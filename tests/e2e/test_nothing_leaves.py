@@ -101,7 +101,7 @@ def test_policy_of_a_page_keeps_blob_workers_from_other_hosts(
 ) -> None:
     with window(name, chromium, tmp_path) as tab:
         tab.open(f"{site_server.url}licences/")
-        assert tab.ask(FROM_A_BLOB, other_host.address) == "tried"
+        assert tab.evaluate(FROM_A_BLOB, other_host.address) == "tried"
     assert other_host.requests() == []
 
 
@@ -176,7 +176,7 @@ def test_edited_python_finds_no_way_to_another_host_or_to_storage(
 ) -> None:
     with window(name, chromium, tmp_path) as tab:
         tab.open(site_server.url + CHAPTER)
-        ((problem, printed),) = tab.ask(RUN, EDIT.replace("ADDRESS", other_host.address))
+        ((problem, printed),) = tab.evaluate(RUN, EDIT.replace("ADDRESS", other_host.address))
     assert problem is None, json.dumps(problem)
     assert printed == "found: [] True\n"
     assert other_host.requests() == []
@@ -206,7 +206,7 @@ def test_damage_by_an_edit_is_undone_before_the_next(
     sources = [draw.format(body) for n, harm in enumerate(harms) for body in (harm, f"print({n})")]
     with window("Chromium", chromium, tmp_path) as tab:
         tab.open(site_server.url + CHAPTER)
-        results = tab.ask(RUN, *sources)
+        results = tab.evaluate(RUN, *sources)
     assert results[1::2] == [[None, f"{n}\n"] for n in range(len(harms))]
     assert all(
         len(json.dumps(problem)) < 3000 and "x1b" not in str(problem) for problem, _ in results
@@ -249,6 +249,6 @@ def test_drawing_by_edited_python_cannot_navigate_or_send_requests(
     of_the_drawing_itself = {5: ["href"]}
     assert left == [of_the_drawing_itself.get(n, []) for n in range(len(DRAWINGS))]
     assert visitor.page.url.endswith(CHAPTER)
-    assert all("inline event handler" in each for each in visitor.complaints)
-    visitor.complaints.clear()  # the policy refused it as well
+    assert all("inline event handler" in each for each in visitor.errors)
+    visitor.errors.clear()  # the policy refused it as well
     assert other_host.requests() == []

@@ -14,7 +14,7 @@ from playwright.sync_api import Error as PlaywrightError
 from support.engines import ENGINES, HOW_TO
 from support.engines.engine import Engine
 from support.limits import limit_ms, limit_s
-from support.page_scripts import FRUGAL
+from support.page_scripts import SAVE_DATA
 from support.places import ROOT
 from support.reader import visit
 from support.static_server import Fault, StaticServer, serving
@@ -107,7 +107,7 @@ class ChromiumTab:
             self.page.wait_for_url("chrome-error:**")  # else it interrupts what is opened next
             raise
 
-    def ask(self, expression: str) -> Any:
+    def evaluate(self, expression: str) -> Any:
         return self.page.evaluate(expression)
 
 
@@ -144,9 +144,9 @@ def host(sites: Mapping[str, Path]) -> Iterator[StaticServer]:
 
 
 @pytest.fixture
-def tab(brisk_chromium: Browser, host: StaticServer) -> Iterator[ChromiumTab]:
-    with visit(brisk_chromium, host, service_workers="allow") as someone:
-        yield ChromiumTab(someone.page)
+def tab(baseline_chromium: Browser, host: StaticServer) -> Iterator[ChromiumTab]:
+    with visit(baseline_chromium, host, service_workers="allow") as reader:
+        yield ChromiumTab(reader.page)
 
 
 @pytest.mark.parametrize(
@@ -185,7 +185,7 @@ def check_change_of_release(
     if stored != "none":
         activate_release(tab, host.url)
     if stored in SPOIL:
-        tab.ask(SPOIL[stored])
+        tab.evaluate(SPOIL[stored])
     requested, released = threading.Event(), threading.Event()
 
     def hold(content: bytes) -> bytes:
@@ -201,41 +201,41 @@ def check_change_of_release(
     host.root = sites[last]
     tab.open(host.url)
     if moment == "at rest":
-        tab.ask("async () => void (await shared())")
-    tab.ask(SEEK)
+        tab.evaluate("async () => void (await shared())")
+    tab.evaluate(SEEK)
     if update == "arriving":
         assert requested.wait(2 * limit_s())
     else:
-        tab.ask("() => window.end")
+        tab.evaluate("() => window.end")
     if moment == "at rest":
-        tab.ask(FRAME)
+        tab.evaluate(FRAME)
     visible = shown_release(tab)
     if moment == "offline":
-        host.gone = True
+        host.offline = True
         visible = shown_release(tab, host.url)
     assert visible == ROWS[row] * len(visible), row
     if update == "cut" and moment != "offline":
-        assert set(whole) - {last} <= set(tab.ask(STORED)), "one file stops no other"
+        assert set(whole) - {last} <= set(tab.evaluate(STORED)), "one file stops no other"
 
-    host.gone = False
+    host.offline = False
     host.faults.clear()
     released.set()
     if update != "arriving" or moment == "offline":
         tab.open(f"{host.url}other/")
         activate_release(tab, host.url)
-    tab.ask("() => window.end")
-    until(lambda: set(whole) <= set(tab.ask(STORED)))
-    host.gone = True
+    tab.evaluate("() => window.end")
+    until(lambda: set(whole) <= set(tab.evaluate(STORED)))
+    host.offline = True
     for page in ("", "other?place=1"):
         assert shown_release(tab, host.url + page) == last * 2, row
-    assert tab.ask("() => location.href").endswith("other/?place=1")
-    until(lambda: whole == sorted(tab.ask(STORED)))
+    assert tab.evaluate("() => location.href").endswith("other/?place=1")
+    until(lambda: whole == sorted(tab.evaluate(STORED)))
 
 
 def activate_release(tab: Tab, home: str) -> None:
     tab.open(home)
-    tab.ask(SEEK)
-    tab.ask("() => window.end")
+    tab.evaluate(SEEK)
+    tab.evaluate("() => window.end")
 
 
 def shown_release(tab: Tab, url: str = "") -> str:
@@ -243,7 +243,7 @@ def shown_release(tab: Tab, url: str = "") -> str:
     with suppress(PlaywrightError, RuntimeError):
         if url:
             tab.open(url)
-        return str(tab.ask(SHOWN))
+        return str(tab.evaluate(SHOWN))
     return "-"
 
 
@@ -254,8 +254,8 @@ def test_stored_book_is_removed_once_offline_use_is_turned_off(
     host.damaged["/sw.js"] = no_release("assets/1/")[WORKER]
     tab.open(host.url)
     with suppress(PlaywrightError):  # the page is loaded anew
-        tab.ask(SEEK)
-    until(lambda: not tab.ask("() => caches.keys()"))
+        tab.evaluate(SEEK)
+    until(lambda: not tab.evaluate("() => caches.keys()"))
 
 
 def test_browser_cache_goes_first_a_retry_repairs_and_ranges_work(
@@ -269,15 +269,15 @@ def test_browser_cache_goes_first_a_retry_repairs_and_ranges_work(
             page.evaluate(FETCH, ["late.js", {"cache": cache, "mode": "same-origin"}])
         assert reply.value.from_service_worker is is_stored
         assert reply.value.ok
-    tab.ask(SPOIL["damaged"])
+    tab.evaluate(SPOIL["damaged"])
     options = {"integrity": integrity(b"0123456789")}
     with suppress(PlaywrightError):  # a caller that checks integrity may get a damaged file
         page.evaluate(FETCH, [FILM, options])
     assert page.evaluate(FETCH, [FILM, {**options, "cache": "reload"}])[0] == 200
-    host.gone = True
+    host.offline = True
     for part, answer in PARTS.items():
         assert page.evaluate(FETCH, [FILM, {"headers": {"Range": part}}]) == answer
-    host.gone = False
+    host.offline = False
     (worker,) = page.context.service_workers
     worker.evaluate("void (caches.open = () => Promise.reject(new Error('broken')))")
     assert shown_release(tab, f"{host.url}other/") == "11"
@@ -297,15 +297,15 @@ PARTS = {
 
 
 def test_every_page_figure_and_the_search_work_offline_after_one_visit(
-    brisk_chromium: Browser, built_site: Path, book: Any
+    baseline_chromium: Browser, built_site: Path, book: Any
 ) -> None:
     with (
         serving(built_site) as host,
-        visit(brisk_chromium, host, service_workers="allow") as kept,
+        visit(baseline_chromium, host, service_workers="allow") as kept,
     ):
         kept.page.goto(kept.root)
         kept.page.wait_for_function("navigator.serviceWorker.controller", timeout=2 * limit_ms())
-        host.gone = True
+        host.offline = True
         with kept.page.context.new_page() as page:
             page.add_init_script("delete globalThis.WebAssembly")
             page.goto(kept.root + book["chapters"][-1]["url"])
@@ -330,32 +330,32 @@ TITLES = """(urls) => Promise.all(urls.map(async (url) => {
 
 @pytest.mark.parametrize("file", [WORKER, "references/"])
 def test_failure_to_store_the_book_is_reported_once_and_pages_work(
-    brisk_chromium: Browser, built_site: Path, file: str
+    baseline_chromium: Browser, built_site: Path, file: str
 ) -> None:
     with (
         serving(built_site) as host,
-        visit(brisk_chromium, host, service_workers="allow") as reader,
+        visit(baseline_chromium, host, service_workers="allow") as reader,
     ):
         host.faults[f"/{file}"] = Fault(lambda _: b"", status=404)
         reader.open("glossary/", live=False)
-        said = reader.page.locator(".notice")
-        said.wait_for()
-        assert file in said.inner_text()
-        assert "404" in said.inner_text()
+        notice = reader.page.locator(".notice")
+        notice.wait_for()
+        assert file in notice.inner_text()
+        assert "404" in notice.inner_text()
         reader.page.reload()
         assert search(reader.page, "vignetting")
-        assert not said.count()
+        assert not notice.count()
 
 
-def until(ask: Callable[[], Any]) -> None:
+def until(condition: Callable[[], Any]) -> None:
     """Poll until the result is true. (Playwright's own waiting accepts any promise as true.)"""
     deadline = time.monotonic() + 2 * limit_s()
     while time.monotonic() < deadline:
-        with suppress(PlaywrightError, RuntimeError):  # the page was turned while it was asked
-            if ask():
+        with suppress(PlaywrightError, RuntimeError):  # the page was turned meanwhile
+            if condition():
                 return
         time.sleep(0.1)
-    pytest.fail("the answer stays no")
+    pytest.fail("the condition stays false")
 
 
 def search(page: Page, words: str) -> str | None:
@@ -366,7 +366,7 @@ def search(page: Page, words: str) -> str | None:
 
 
 def test_page_of_an_earlier_release_keeps_working_and_leads_to_the_next(
-    brisk_chromium: Browser, built_site: Path, tmp_path: Path
+    baseline_chromium: Browser, built_site: Path, tmp_path: Path
 ) -> None:
     """The host has the book with its assets and its Python in folders of other names."""
     folders = [next((built_site / kind).iterdir()) for kind in ("assets", "runtime")]
@@ -382,7 +382,7 @@ def test_page_of_an_earlier_release_keeps_working_and_leads_to_the_next(
     for folder in folders:
         (tmp_path / folder.parent.name).mkdir()
         (tmp_path / folder.parent.name / folder.name[::-1]).symlink_to(folder)
-    with serving(built_site) as host, visit(brisk_chromium, host, FRUGAL) as reader:
+    with serving(built_site) as host, visit(baseline_chromium, host, SAVE_DATA) as reader:
         reader.open("why-image-formation/")
         page, notice = reader.page, reader.page.locator(".notice")
         own = page.evaluate("document.body.dataset.runtime")
@@ -403,13 +403,15 @@ def test_page_of_an_earlier_release_keeps_working_and_leads_to_the_next(
         loaded = page.evaluate(LOADED)
         assert any("/runtime/" in address for address in loaded)
         old = own.strip("./").split("/")[-1]
-        assert not [address for address in loaded if old in address], "nothing of both"
+        assert not [address for address in loaded if old in address], (
+            "no page mixes files of two releases"
+        )
 
 
 MEASURE = """async () => {
   const {inside} = await customElements.whenDefined('simulation-figure');
-  const asked = {ladder: 'shading', tier: 'any', budget: 0.001};
-  return inside.sharedRuntime().call('measure', asked).then(() => '', (error) => error.message);
+  const request = {ladder: 'shading', tier: 'any', budget: 0.001};
+  return inside.sharedRuntime().call('measure', request).then(() => '', (error) => error.message);
 }"""
 """The error of a call that needs a part of an earlier release."""
 LOADED = "performance.getEntriesByType('resource').map(({name}) => name)"

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from support.engines import open_engine
 from support.engines.engine import Engine, click, drag, press, wait_for
-from support.page_scripts import BRING, LIVE, TRY_CONTROLS
+from support.page_scripts import LIVE, SCROLL_TO, TRY_CONTROLS
 from support.static_server import serving
 
 pytestmark = pytest.mark.browser
@@ -30,7 +30,7 @@ def test_whole_session_of_a_reader_works_in_other_engines(
         wait_for(engine, f"() => {LIVE}")
         move_figure(engine)
         (controls,) = (one["controls"] for one in book["simulations"] if one["id"] == SCENE)
-        tried = engine.ask(TRIED.replace("TRY", TRY_CONTROLS), FIGURE, controls)
+        tried = engine.evaluate(TRIED.replace("TRY", TRY_CONTROLS), FIGURE, controls)
         assert all(one["hit"] and one["focused"] and one["frames"] for one in tried), tried
         edit_python(engine)
         write_function(engine)
@@ -42,9 +42,9 @@ def test_whole_session_of_a_reader_works_in_other_engines(
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {ONE_LIVES}")
         wait_for(engine, ANSWERED, PREDICTION, "correct")
-        assert not engine.complaints()
+        assert not engine.errors()
         wait_for(engine, "() => Boolean(navigator.serviceWorker.controller)")
-        host.gone = True
+        host.offline = True
         engine.open(host.url + "perspective-projection/")
         wait_for(engine, f"() => {ONE_LIVES}")
 
@@ -52,7 +52,7 @@ def test_whole_session_of_a_reader_works_in_other_engines(
 def write_function(engine: Engine) -> None:
     """Submit the exercise's starter, then its solution."""
     for text, verdict in (("starter", "wrong"), ("solution", "correct")):
-        engine.ask(WRITE, text)
+        engine.evaluate(WRITE, text)
         wait_for(engine, WRITTEN, verdict)
 
 
@@ -73,15 +73,15 @@ WRITTEN = """(verdict) => {
 def move_figure(engine: Engine) -> None:
     """Use the slider, a handle, and the handle's keys."""
     x, y = middle(engine, SLIDER)
-    start = engine.ask(STATE, SCENE)
+    start = engine.evaluate(STATE, SCENE)
     click(engine, (x + 30, y))
     wait_for(engine, MOVED, SCENE, start)
     x, y = middle(engine, HANDLE)
-    start = engine.ask(STATE, SCENE)
+    start = engine.evaluate(STATE, SCENE)
     drag(engine, (x, y), (x + 10, y + 8), (x + 24, y + 18))
     wait_for(engine, MOVED, SCENE, start)
-    start = engine.ask(STATE, SCENE)
-    engine.ask("(handle) => document.querySelector(handle).focus()", HANDLE)
+    start = engine.evaluate(STATE, SCENE)
+    engine.evaluate("(handle) => document.querySelector(handle).focus()", HANDLE)
     press(engine, ARROW_LEFT)
     wait_for(engine, MOVED, SCENE, start)
 
@@ -110,7 +110,7 @@ def answer_questions(engine: Engine) -> None:
 
 
 def search(engine: Engine) -> None:
-    engine.ask("() => document.getElementById('main').focus()")
+    engine.evaluate("() => document.getElementById('main').focus()")
     press(engine, "/")
     wait_for(engine, "() => document.activeElement.matches('dialog.search input')")
     press(engine, *"vignetting")
@@ -121,7 +121,7 @@ def search(engine: Engine) -> None:
 
 def middle(engine: Engine, selector: str) -> tuple[float, float]:
     """Middle of an element, which is brought into the window and rests there."""
-    x, y = engine.ask(MIDDLE, selector)
+    x, y = engine.evaluate(MIDDLE, selector)
     return x, y
 
 
@@ -130,7 +130,7 @@ TRIED = """(figure, controls) =>
 ONE_LIVES = "document.querySelector('simulation-figure[data-state=live]') !== null"
 MIDDLE = f"""async (selector) => {{
   const element = document.querySelector(selector);
-  await ({BRING})(element);
+  await ({SCROLL_TO})(element);
   const {{x, y, width, height}} = element.getBoundingClientRect();
   return [x + width / 2, y + height / 2];
 }}"""

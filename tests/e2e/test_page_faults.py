@@ -36,17 +36,17 @@ def form(page: Page, number: int = 0) -> Locator:
 
 def answer(page: Page, option: int, number: int = 0) -> None:
     """Choose the option at that place in the source, and submit it."""
-    asked = form(page, number)
-    asked.locator(f"input[value='{option}']").check()
-    asked.locator("button[type=submit]").click()
+    question = form(page, number)
+    question.locator(f"input[value='{option}']").check()
+    question.locator("button[type=submit]").click()
 
 
 def submitted(page: Page, number: int = 0) -> str | None:
     """The value of the submitted answer."""
-    asked = form(page, number)
-    if asked.get_attribute("data-answered") is None:
+    question = form(page, number)
+    if question.get_attribute("data-answered") is None:
         return None
-    return asked.locator("input:checked").get_attribute("value")
+    return question.locator("input:checked").get_attribute("value")
 
 
 def test_full_storage_is_reported_once_and_answers_last_for_the_visit(
@@ -107,17 +107,17 @@ def test_page_stays_while_the_host_is_down_and_turns_once_it_is_back(
     plain_reader.open(chapter, live=False)
     page = plain_reader.page
     answer(page, 1)
-    plain_reader.keep_no_files()
-    server.gone = True
+    plain_reader.clear_cache()
+    server.offline = True
     page.evaluate("document.querySelector('nav a[href*=glossary], a[href*=glossary]').click()")
     notice = page.locator(".notice")
     notice.wait_for()
-    server.gone = False
+    server.offline = False
     assert "This one stays" in notice.inner_text()
     assert submitted(page) == "1"
     notice.get_by_role("button", name="Try again").click()
     page.wait_for_url(f"**/{OTHER}")
-    plain_reader.complaints.clear()  # the browser's own, of the host
+    plain_reader.errors.clear()  # the browser's own, of the host
 
 
 FIGURE, HARM = "figure-perspective-projection", "<script>window.harmed = true</script>"
@@ -203,7 +203,7 @@ def test_junk_in_storage_is_no_answer_and_does_no_harm(plain_reader: Reader, cha
         page.evaluate(JUNK, junk)
         page.evaluate("document.dispatchEvent(new Event('answers-read'))")  # as from a file
         assert page.locator("[data-answered]").count() == 0, junk
-        plain_reader.assert_no_complaints()
+        plain_reader.assert_no_errors()
     page.evaluate(JUNK, "[[[")
     page.reload()
     expect(page.locator(".progress-count")).not_to_be_empty()
@@ -234,7 +234,7 @@ def test_page_that_is_loaded_with_junk_works_and_can_be_left(
     else:
         expect(page.locator(".progress-count")).not_to_be_empty()
     plain_reader.turn_to("glossary/", live=False)
-    plain_reader.assert_no_complaints()
+    plain_reader.assert_no_errors()
 
 
 KEEP = """([storage, name, junk]) => {
@@ -259,7 +259,7 @@ def test_book_works_in_a_browser_that_denies_every_kind_of_storage(
         reader.turn_to("why-image-formation/", live=False)
         assert submitted(page) == "0"
         assert unsent.input_value() == "12"
-        reader.assert_no_complaints()
+        reader.assert_no_errors()
 
 
 DENIED = """delete globalThis.WebAssembly;
@@ -286,12 +286,12 @@ def published_policy(site: Path) -> str:
 
 
 def test_strictest_policy_allows_the_book_and_refuses_all_else(
-    brisk_chromium: Browser, built_site: Path
+    baseline_chromium: Browser, built_site: Path
 ) -> None:
     """Sent as a header, which also applies to workers. A figure becomes live, its Python opens in
     the styled editor, and formulae need one font file."""
     header = {"Content-Security-Policy": published_policy(built_site)}
-    with serving(built_site, header) as host, visit(brisk_chromium, host, WATCH) as reader:
+    with serving(built_site, header) as host, visit(baseline_chromium, host, WATCH) as reader:
         page = reader.page
         reader.open("lens-distortion/", live=False)
         figure = page.locator("simulation-figure").first
@@ -304,7 +304,7 @@ def test_strictest_policy_allows_the_book_and_refuses_all_else(
         )
         assert [name for name in names if name.startswith("maths")] == ["maths.woff2"]
         assert page.evaluate("refused.splice(0)") == []
-        reader.assert_no_complaints()
+        reader.assert_no_errors()
         reader.open("licences/", live=False)
         page.evaluate(INTRUDE)
         assert page.evaluate("globalThis.ran") is None
@@ -345,6 +345,6 @@ def test_scripts_in_the_head_have_their_integrity_hashes(built_site: Path) -> No
     scripts = re.findall(r'<script type="module"[^>]* src="([^"]+)"', head)
     assert scripts
     assert {*scripts} <= {*named}
-    for address, told in named.items():
+    for address, value in named.items():
         digest = hashlib.sha256((page.parent / address).read_bytes()).digest()
-        assert told == f"sha256-{base64.b64encode(digest).decode()}", address
+        assert value == f"sha256-{base64.b64encode(digest).decode()}", address

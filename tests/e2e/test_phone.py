@@ -83,8 +83,8 @@ def test_panels_stay_where_they_were_scrolled_and_leave_room_for_controls(
     figure = visitor.turn_to_figure(book, "tiled-floor")
     slider = figure.locator(".figure-side input[type=range]").first
     slider.click(trial=True)  # the box of the panels does not cover it
-    place = visitor.bring(slider)
-    first = visitor.bring(figure.locator(".panel").first)
+    place = visitor.scroll_to(slider)
+    first = visitor.scroll_to(figure.locator(".panel").first)
     assert place["x"] > first["x"] + first["width"], "beside the first panel"
     second = figure.locator(".panel").last.element_handle()
     below = "(low, high) => low.getBoundingClientRect().top >= high.getBoundingClientRect().bottom"
@@ -92,10 +92,10 @@ def test_panels_stay_where_they_were_scrolled_and_leave_room_for_controls(
 
 
 def test_first_handle_of_a_page_moves_once_and_hints_at_mouse_and_keys(
-    brisk_chromium: Browser, server: StaticServer
+    baseline_chromium: Browser, server: StaticServer
 ) -> None:
     """After a drag it keeps the focus, but not its hint."""
-    with visit(brisk_chromium, server) as reader:
+    with visit(baseline_chromium, server) as reader:
         page = reader.page
         reader.open("lens-distortion/")
         handle = page.locator(FIRST_HANDLE).first
@@ -134,13 +134,13 @@ def hint_is_seen(handle: Locator) -> bool:
 
 
 @pytest.fixture(scope="module")
-def live_phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+def live_phone(baseline_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
     still: dict[str, Any] = {
         "reduced_motion": "reduce"
     }  # a playing figure would move away from the finger
-    with visit(brisk_chromium, site_server, viewport=PHONE, has_touch=True, **still) as someone:
-        yield someone
-    someone.assert_no_complaints()
+    with visit(baseline_chromium, site_server, viewport=PHONE, has_touch=True, **still) as reader:
+        yield reader
+    reader.assert_no_errors()
 
 
 def test_finger_on_a_handle_moves_it_and_elsewhere_scrolls_the_page(
@@ -149,14 +149,14 @@ def test_finger_on_a_handle_moves_it_and_elsewhere_scrolls_the_page(
     phone = live_phone
     figure = phone.turn_to_figure(book, "lambertian-shading")
     grip = figure.locator('[data-handle="lamp"]')
-    phone.bring(grip)
+    phone.scroll_to(grip)
     before, scrolled = value(figure, "light_angle"), scroll(phone)
     for way in [(0, -60), (-40, 0)]:
         swipe(phone, phone.middle(grip), way)
         phone.settle(figure)
     assert value(figure, "light_angle") != before
     assert scroll(phone) == scrolled
-    box = phone.bring(figure.locator(".panel-title").first)
+    box = phone.scroll_to(figure.locator(".panel-title").first)
     scrolled = scroll(phone)
     swipe(phone, (box["x"] + 20, box["y"] + 5), (0, -120))
     phone.page.wait_for_function("before => scrollY !== before", arg=scrolled)
@@ -168,7 +168,7 @@ def test_resting_finger_drags_a_view_and_a_quick_one_scrolls_the_page(
     phone, page = live_phone, live_phone.page
     figure = phone.turn_to_figure(book, "rotation-3d")
     view = figure.locator('[data-handle="view"]')
-    phone.bring(figure.locator(".panels"))
+    phone.scroll_to(figure.locator(".panels"))
     x, y = phone.middle(view)
     before, scrolled = value(figure, "elevation"), scroll(phone)
     swipe(phone, (x - 60, y - 90), (0, 80), taken=figure.locator(".handles.taken"))
@@ -194,7 +194,7 @@ def test_finger_sketches_a_falling_curve(live_phone: Reader) -> None:
     phone = live_phone
     phone.turn_to("lighting-and-reflectance/")
     form = phone.page.locator("form[data-predict]", has=phone.page.locator(".sketch"))
-    box = phone.bring(form.locator(".sketch > svg"))
+    box = phone.scroll_to(form.locator(".sketch > svg"))
     x, y, width, height = box["x"], box["y"], box["width"], box["height"]
     scrolled = scroll(phone)
     swipe(phone, (x + 0.2 * width, y + 15), (0, 0.4 * height))

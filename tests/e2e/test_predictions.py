@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, Page, Request, expect
-from support.page_scripts import FRUGAL
+from support.page_scripts import SAVE_DATA
 from support.reader import Reader, visit
 from support.static_server import StaticServer, serving
 from support.steps import step
@@ -98,7 +98,7 @@ def test_sketch_is_drawn_by_mouse_or_keys_and_compared_with_the_truth(
     form.locator("button[type=submit]").click()
     assert form.get_attribute("data-answered") is None, "nothing was drawn"
     assert not form.locator(".truth").is_visible()
-    box = plain_reader.bring(form.locator("svg"))
+    box = plain_reader.scroll_to(form.locator("svg"))
     x, y, scale = box["x"], box["y"], box["width"] / 400
     plain_reader.drag((x + 52 * scale, y + 206 * scale), (x + 384 * scale, y + 32 * scale), 20)
     assert sketch_values(form) == pytest.approx([1.2 * i / 8 for i in range(9)], abs=0.04)
@@ -186,20 +186,20 @@ def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     ids=["page kept", "page reloaded"],
 )
 def test_settings_answers_and_figures_survive_leaving_the_book_and_back(
-    brisk_chromium: Browser,
+    baseline_chromium: Browser,
     launch: Callable[..., Browser],
-    whole_browser: Path,
+    full_chromium: Path,
     server: StaticServer,
     elsewhere: str,
     kept: bool,
 ) -> None:
     with ExitStack() as end:
-        browser = brisk_chromium
+        browser = baseline_chromium
         if kept:  # as browsers do by default, but not under Playwright
             forbidden = ["--disable-back-forward-cache"]
-            options = {"executable_path": whole_browser, "ignore_default_args": forbidden}
+            options = {"executable_path": full_chromium, "ignore_default_args": forbidden}
             browser = end.enter_context(launch("--js-flags=--liftoff-only", **options))
-        reader = end.enter_context(visit(browser, server, f"{TELL}; {FRUGAL}"))
+        reader = end.enter_context(visit(browser, server, f"{TELL}; {SAVE_DATA}"))
         page = reader.page
         under_way = requests_under_way(page)
         with step("a figure is set and questions are answered"):

@@ -60,18 +60,18 @@ class Workshop:
         self.reader.wait_for(self.figure, HAS_RESULT)
         return self.figure.locator(".workshop-result").inner_text()
 
-    def shown(self) -> Any:
+    def content(self) -> Any:
         self.reader.settle(self.figure)
-        return self.reader.shown(self.figure)
+        return self.reader.content(self.figure)
 
     def move(self, key: str) -> Any:
         """The figure's content after a key press on its first slider."""
         self.reader.press(self.figure, key)
-        return self.shown()
+        return self.content()
 
     def drawn(self) -> Any:
         """The figure's content drawn by the browser, which may differ from the page's by a code."""
-        self.reader.bring(self.figure)
+        self.reader.scroll_to(self.figure)
         self.move("ArrowRight")
         return self.move("ArrowLeft")
 
@@ -123,7 +123,7 @@ def test_edited_code_draws_only_its_own_figure_until_it_is_put_back(
         assert "press Escape" in page.locator(f"[id='{hint}']").inner_text()
     with step("the edited code draws this figure alone"):
         assert page.workers[-1].url.startswith("blob:"), "so that it has the policy of the page"
-        changed = edited.shown()
+        changed = edited.content()
         assert changed["pixels"] != book["pixels"]
         assert changed["readouts"] == book["readouts"]
         assert other.move("ArrowRight") != others
@@ -136,11 +136,11 @@ def test_edited_code_draws_only_its_own_figure_until_it_is_put_back(
         edited.write("def encode_srgb_table(linear):\n    return linear\nprint('hello')\n")
         edited.run()
         assert figure.locator(".workshop-printed").inner_text() == "hello\n"
-        assert edited.shown()["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
+        assert edited.content()["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
     with step("everything is put back"):
         figure.locator(".put-all-back").click()
         figure.locator(".workshop-result", has_text="book’s code").wait_for()
-        assert edited.shown() == book
+        assert edited.content() == book
         edited.part("encoded").click()
         assert "def _encoded(photo: Photo)" in edited.code.inner_text()
         assert len(page.workers) == 1
@@ -155,7 +155,7 @@ def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
     unchanged, and an edit is offered, but not run, once the book's code has changed."""
     shop, other = workshops
     page, figure = shop.page, shop.figure
-    book = shop.shown()
+    book = shop.content()
     with step("the editor opens at the formula"):
         figure.locator(".open-python").click()
         formula = figure.locator(".workshop-part").first
@@ -165,13 +165,13 @@ def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
         shop.part("encoded").click()
         first = int(figure.locator(".place-line").inner_text())
         shop.write("def _encoded(photo):\n    return (photo\n")
-        told = shop.run()
-        assert "SyntaxError" in told
-        assert f"Line {first + 1} of _encoded" in told
+        message = shop.run()
+        assert "SyntaxError" in message
+        assert f"Line {first + 1} of _encoded" in message
         shop.write("def _encoded(photo):\n    x = 1\n    return phot")
-        told = shop.run()
-        assert "NameError: name 'phot' is not defined" in told
-        assert f"Line {first + 2} of _encoded" in told
+        message = shop.run()
+        assert "NameError: name 'phot' is not defined" in message
+        assert f"Line {first + 2} of _encoded" in message
         assert figure.locator(".cm-problem").inner_text() == "    return phot"
         shop.part("pinhole").click()
         figure.locator(".result-place").click()
@@ -188,7 +188,7 @@ def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
                 assert figure.locator(part).first.evaluate(IN_VIEW), (part, width)
     with step("a mistake leaves the figure as it is and alive"):
         page.set_viewport_size(DESK)
-        assert shop.shown() == book
+        assert shop.content() == book
         assert figure.get_attribute("data-state") == "live"
         assert shop.move("ArrowRight") != book
         shop.move("ArrowLeft")
@@ -197,13 +197,13 @@ def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
         formula.click()
         shop.write("def distort(xy, d):\n    return 0.5 * xy\n")
         assert "Running your code" in shop.run()
-        changed = shop.shown()
+        changed = shop.content()
         assert changed["drawings"] != book["drawings"]
 
     with step("the edits are there after a reload, and can be downloaded"):
         shop.reader.open(CHAPTER)
         expect(shop.state).to_contain_text("runs your code")
-        assert shop.shown() == changed
+        assert shop.content() == changed
         assert other.state.inner_text() == ""
         assert figure.locator(".workshop").count() == 0
         shop.open()
@@ -219,7 +219,7 @@ def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
         shop.reader.turn_to(CHAPTER)
         shop.open()
         assert "def _encoded(photo: Photo)" in shop.code.inner_text()
-        assert shop.shown() == book
+        assert shop.content() == book
         figure.locator(".offer-show").click()
         assert shop.code.inner_text().strip() == NEGATIVE.strip()
         figure.locator(".put-all-back").click()
@@ -251,9 +251,9 @@ def test_endless_code_is_stopped_and_the_figure_runs_the_books_code(
     shop.write("def _encoded(photo):\n    while True:\n        pass\n")
     figure.locator(".workshop .run").click()
     assert other.move("ArrowRight"), "another figure does not wait for it"
-    told = shop.result()
-    assert "was stopped: it did not finish within" in told
-    assert shop.shown() == book
+    message = shop.result()
+    assert "was stopped: it did not finish within" in message
+    assert shop.content() == book
     page.evaluate(LIMIT, {"ms": 10 * limit_ms(), "times": 0})
     figure.locator(".workshop .run").click()
     shop.stop.click()
@@ -270,10 +270,10 @@ def test_endless_code_is_stopped_and_the_figure_runs_the_books_code(
     shop.part("drawings").click()
     shop.write("\n    ".join(["def overlays(k1, k2):", *loops_later]))
     assert "Running your code" in shop.run()
-    assert shop.shown()["pixels"] != book["pixels"]
+    assert shop.content()["pixels"] != book["pixels"]
     shop.stop.click()
     assert shop.result().startswith("Stopped.")
-    assert shop.shown() == book, "what ran well can be stopped, too"
+    assert shop.content() == book, "what ran well can be stopped, too"
     assert "while k1 != 0.15:" in shop.code.inner_text()
     assert len(page.workers) == 1
     assert "Running your code" in shop.run()
@@ -331,7 +331,7 @@ def test_script_of_every_figure_prints_the_numbers_of_its_page(
     plain_reader: Reader, book: Any, tmp_path: Path
 ) -> None:
     figures: list[Any] = []
-    for _ in plain_reader.leaf_through(["", *(chapter["url"] for chapter in book["chapters"])]):
+    for _ in plain_reader.open_each(["", *(chapter["url"] for chapter in book["chapters"])]):
         figures += plain_reader.page.evaluate(FIGURES)
     assert {figure["scene"] for figure in figures} == {s["id"] for s in book["simulations"]}
     scripts = []

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, Route, expect
-from support.page_scripts import FRUGAL, SILENT_WORKER
+from support.page_scripts import SAVE_DATA, SILENT_WORKER
 from support.reader import Reader, chapter_of, visit
 from support.static_server import FAULTS, Fault, StaticServer
 
@@ -34,20 +34,20 @@ def chapters(book: Any) -> list[Any]:
 
 
 def test_python_starts_in_the_head_with_the_pages_frame_and_prepares_more(
-    brisk_chromium: Browser, server: StaticServer, chapters: list[Any]
+    baseline_chromium: Browser, server: StaticServer, chapters: list[Any]
 ) -> None:
     """It imports the next chapter's scenes, and redraws a page built from other sources."""
     held: list[Route] = []
-    with visit(brisk_chromium, server, WATCH) as reader:
+    with visit(baseline_chromium, server, WATCH) as reader:
         page, (scene,) = reader.page, chapters[0]["simulations"]
         page.context.route("**/runtime.json", lambda route: held.append(route))
         reader.open(chapters[0]["url"], live=False)
         figure = reader.figure(scene)
-        before = reader.shown(figure)
+        before = reader.content(figure)
         for route in held:
             route.continue_()
         reader.wait_live()
-        assert reader.shown(figure) == before
+        assert reader.content(figure) == before
         begun = [str(call).strip() for call in page.evaluate("window.calls")]
         assert begun[:2] == ["worker in the head", "start"]
         assert sum(call.startswith("worker") for call in begun) == 1
@@ -90,7 +90,7 @@ def test_linked_page_is_fetched_once_on_hover_or_focus(
     page, wanted = plain_reader.page, plain_reader.root + chapters[1]["url"]
     for hint in ("hover", "focus"):
         plain_reader.open(chapters[0]["url"], live=False)
-        fetched = plain_reader.note_requests()
+        fetched = plain_reader.record_requests()
         for address in ("https://elsewhere.example/", "#main", "../book.json", "mailto:a@b.c"):
             page.evaluate(OFFER, address)
             page.locator("#offered").hover()
@@ -124,10 +124,10 @@ def test_prerendered_frames_follow_a_slider_until_python_is_live(
     place = figure.get_attribute("data-prerendered") or ""
     strip = json.loads((built_site / place.removeprefix("../")).read_text(encoding="utf-8"))
     wanted = strip["frames"][-2]
-    box = reader.bring(figure)
+    box = reader.scroll_to(figure)
     figure.evaluate(MOVE, [CONTROL, wanted["value"] + 0.01])
     figure.locator(".early-mark").wait_for()
-    early = reader.shown(figure)
+    early = reader.content(figure)
     assert figure.get_attribute("data-early") == str(wanted["value"])
     assert figure.get_attribute("data-frames") == "0"
     for readout in wanted["readouts"]:
@@ -136,9 +136,9 @@ def test_prerendered_frames_follow_a_slider_until_python_is_live(
     for route in held:
         route.continue_()
     reader.wait_live()
-    assert reader.shown(figure) != early, "not the frame of just this value"
+    assert reader.content(figure) != early, "not the frame of just this value"
     assert figure.locator(".early-mark").count() == 0
-    assert reader.bring(figure) == box
+    assert reader.scroll_to(figure) == box
     # A slider moved before any script ran.
     page.context.route("**/runtime.json", lambda _: None)
     page.add_init_script(MOVED)
@@ -173,10 +173,10 @@ def data_saving_visit(
     chromium: Browser, server: StaticServer, script: str
 ) -> Iterator[tuple[Reader, Locator, list[str]]]:
     """A reader whose browser runs ``script``, the figure, and the files of Python requested."""
-    with visit(chromium, server, script) as someone:
-        python = someone.note_requests("/runtime.json", "/worker.js", ".wasm", ".zip")
-        yield someone, someone.figure(SCENE), python
-    someone.assert_no_complaints()
+    with visit(chromium, server, script) as reader:
+        python = reader.record_requests("/runtime.json", "/worker.js", ".wasm", ".zip")
+        yield reader, reader.figure(SCENE), python
+    reader.assert_no_errors()
 
 
 @pytest.mark.parametrize(
@@ -187,13 +187,13 @@ def data_saving_visit(
     ],
 )
 def test_figure_of_a_data_saving_reader_starts_on_request_with_settings(
-    brisk_chromium: Browser, server: StaticServer, book: Any, script: str
+    baseline_chromium: Browser, server: StaticServer, book: Any, script: str
 ) -> None:
-    with data_saving_visit(brisk_chromium, server, script) as (reader, figure, python):
+    with data_saving_visit(baseline_chromium, server, script) as (reader, figure, python):
         page = reader.page
         reader.open(chapter_of(book, SCENE), live=False)
         begin = figure.get_by_role("button", name="Start the figures")
-        reader.bring(begin)
+        reader.scroll_to(begin)
         slider = figure.locator(f"input[name={CONTROL}]")
         slider.press("ArrowRight")
         chosen = slider.input_value()
@@ -214,11 +214,11 @@ def test_figure_of_a_data_saving_reader_starts_on_request_with_settings(
 
 
 def test_figures_wait_for_a_request_after_two_crashed_tabs(
-    brisk_chromium: Browser, server: StaticServer, book: Any
+    baseline_chromium: Browser, server: StaticServer, book: Any
 ) -> None:
     """Tabs that are closed before Python has started do not count as crashed."""
     for script, expected in ((LOST, ["starting", "starting", "waiting"]), ("", ["starting"] * 3)):
-        with data_saving_visit(brisk_chromium, server, SILENT_WORKER + script) as (
+        with data_saving_visit(baseline_chromium, server, SILENT_WORKER + script) as (
             reader,
             figure,
             _,
@@ -244,21 +244,21 @@ def content_after_a_move(reader: Reader) -> Any:
     figure = reader.figure(SCENE)
     reader.press(figure, "ArrowRight")
     reader.settle(figure)
-    return reader.shown(figure)
+    return reader.content(figure)
 
 
 def test_figures_start_from_the_snapshot_or_without_a_damaged_one(
-    brisk_chromium: Browser, uncached: StaticServer, built_site: Path
+    baseline_chromium: Browser, uncached: StaticServer, built_site: Path
 ) -> None:
     """Before the snapshot's parts arrive, even if it is late and has a wrong media type. On iPhones
     CPython has no trampoline."""
-    late = {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
+    late = {f"/{name}.zip": Fault(delay_s=3600) for name in (*BUILT_ON, "numpy-fft")}
     uncached.faults = {
-        f"/{SNAPSHOT}": Fault(late_s=1, media_type="application/octet-stream"),
+        f"/{SNAPSHOT}": Fault(delay_s=1, media_type="application/octet-stream"),
         **late,
     }
-    with visit(brisk_chromium, uncached, FRUGAL) as reader:
-        fetched = reader.note_parts()
+    with visit(baseline_chromium, uncached, SAVE_DATA) as reader:
+        fetched = reader.record_parts()
         open_live(reader)
         (listed,) = built_site.glob("runtime/*/runtime.json")
         table = json.loads(listed.read_text(encoding="utf-8"))
@@ -266,15 +266,15 @@ def test_figures_start_from_the_snapshot_or_without_a_damaged_one(
         assert needed <= {*fetched}
         assert len({*fetched}) == len(fetched), "nothing twice"
     uncached.faults = {}
-    with visit(brisk_chromium, uncached, FRUGAL, user_agent=IPHONE) as reader:
+    with visit(baseline_chromium, uncached, SAVE_DATA, user_agent=IPHONE) as reader:
         messages: list[str] = []
         reader.page.on("console", lambda message: messages.append(message.text))
         open_live(reader)
         assert not messages, "a start without the snapshot would be logged"
         after_snapshot = content_after_a_move(reader)
     uncached.faults = {f"/{SNAPSHOT}": FAULTS["changed"]}
-    with visit(brisk_chromium, uncached, FRUGAL) as reader:
-        fetched = reader.note_parts()
+    with visit(baseline_chromium, uncached, SAVE_DATA) as reader:
+        fetched = reader.record_parts()
         open_live(reader)
         assert {*BUILT_ON} <= {*fetched}
         assert content_after_a_move(reader) == after_snapshot
@@ -314,12 +314,16 @@ def of_libraries(parts: Iterable[str]) -> set[str]:
     "ladders", [("shading",), pytest.param((*LADDER_MODULES,), marks=pytest.mark.deep)]
 )
 def test_pages_fetch_only_the_parts_that_scenes_and_ladders_import(
-    brisk_chromium: Browser, server: StaticServer, book: Any, table: Any, ladders: tuple[str, ...]
+    baseline_chromium: Browser,
+    server: StaticServer,
+    book: Any,
+    table: Any,
+    ladders: tuple[str, ...],
 ) -> None:
     first, none = a_chapter(book, table, lambda parts: not parts)
     second, many = a_chapter(book, table, lambda parts: parts > of_libraries(none))
-    with visit(brisk_chromium, server, FRUGAL) as reader:
-        fetched, requests = reader.note_parts(), reader.note_requests()
+    with visit(baseline_chromium, server, SAVE_DATA) as reader:
+        fetched, requests = reader.record_parts(), reader.record_requests()
         reader.open(first)
         assert sorted(fetched) == sorted({*BUILT_ON} | none)
         reader.turn_to(second)
@@ -334,7 +338,7 @@ def test_pages_fetch_only_the_parts_that_scenes_and_ladders_import(
         assert named <= {*fetched}
         assert len({*fetched}) == len(fetched), "nothing twice"
         assert "python-rest" not in fetched
-        reader.assert_no_complaints()
+        reader.assert_no_errors()
 
 
 CALL = """async ([name, payload]) => {
@@ -347,8 +351,8 @@ def test_unavailable_part_stops_its_figures_and_is_fetched_on_retry(
     reader: Reader, server: StaticServer, book: Any, table: Any
 ) -> None:
     """The table lists no parts, so that each is fetched when Python imports it."""
-    reader.page.add_init_script(FRUGAL)
-    fetched = reader.note_parts()
+    reader.page.add_init_script(SAVE_DATA)
+    fetched = reader.record_parts()
     address, parts = a_chapter(book, table, bool)
     part = max(of_libraries(parts))
     foreseen = {scene: [f"scene-{scene}"] for scene in table["scenes"]}
@@ -374,4 +378,4 @@ def test_unavailable_part_stops_its_figures_and_is_fetched_on_retry(
         figure.locator("input[type=range]").first.press("ArrowRight")
         reader.settle(figure)  # parts that only later frames import
     assert {*fetched} == {*BUILT_ON} | parts
-    reader.complaints.clear()  # the browser's own words about the missing file
+    reader.errors.clear()  # the browser's own words about the missing file

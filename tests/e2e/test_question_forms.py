@@ -88,7 +88,7 @@ def test_order_is_made_by_keyboard_and_by_dragging(plain_reader: Reader, book: A
         form.locator("button[type=submit]").press("Enter")
         assert verdict(form) == "correct"
     before = order_of(form)
-    plain_reader.bring(form.locator(".order"))
+    plain_reader.scroll_to(form.locator(".order"))
     start = plain_reader.middle(form.locator(".grip").last)
     x, y = plain_reader.middle(form.locator(".grip").first)
     plain_reader.drag(start, (x, y - 15), steps=12)
@@ -163,7 +163,7 @@ def test_options_stand_in_an_order_of_the_reader_s_own_that_lasts(
     assert open_chapter() == orders
     others = []
     for _ in range(3):
-        plain_reader.forget()
+        plain_reader.clear_storage()
         others.append(open_chapter())
     assert any(other != orders for other in others)
 
@@ -193,13 +193,13 @@ def test_drawn_numbers_are_a_class_s_own_and_stay_with_their_answer_until_others
 
     seen = [asked(seed) for seed in ("spring", "summer", "autumn")]
     assert len({*seen}) > 1
-    plain_reader.forget()
+    plain_reader.clear_storage()
     assert asked("spring") == seen[0], "in another browser"
     plain_reader.open(live=False)
     plain_reader.turn_to(url, live=False)
     assert asked() == seen[0], "without the seed in the address"
 
-    plain_reader.begin_anew()
+    plain_reader.reset()
     plain_reader.open(url, live=False)
     first = asked()
     others = form.get_by_role("button", name="Other numbers")

@@ -275,8 +275,8 @@ def terms() -> Iterator[tuple[str, str]]:
         if line and not line.startswith("#"):
             term, _, address = line.partition(" | ")
             yield term, address
-    for section, asked in read_toml("search").items():
-        for words in asked:
+    for section, queries in read_toml("search").items():
+        for words in queries:
             yield words, quote(section.replace("#", "/#"), safe="/#")
     for term, entry in read_toml("glossary").items():
         chapter, mark, section = entry["explained"].partition("#")
@@ -305,7 +305,7 @@ def test_each_term_is_found_first_where_it_is_explained(visitor: Reader) -> None
     """No further request is made once the index is loaded."""
     dialog = open_search(visitor)
     first_hit(visitor, dialog, "lens")
-    requests = visitor.note_requests()
+    requests = visitor.record_requests()
     wanted = dict(terms())
     assert {*read_toml("book")["search_examples"]} <= wanted.keys()
     found = dict(zip(wanted, dialog.evaluate(FIRST_HITS, [*wanted]), strict=True))
@@ -378,8 +378,8 @@ def test_search_index_is_fetched_on_hover_and_again_after_a_failure(
     plain_reader: Reader, server: StaticServer
 ) -> None:
     page = plain_reader.page
-    requests = plain_reader.note_requests()
-    plain_reader.keep_no_files()
+    requests = plain_reader.record_requests()
+    plain_reader.clear_cache()
     server.damaged["search/index.json"] = b"{"
     plain_reader.open("why-image-formation/", live=False)
     page.wait_for_load_state("networkidle")

@@ -15,10 +15,10 @@ SHUT = "details.deeper:not([open])"
 
 
 @pytest.fixture
-def newcomer(brisk_chromium: Browser, server: StaticServer) -> Iterator[Reader]:
-    with visit(brisk_chromium, server, folded=True) as someone:
-        yield someone
-        someone.assert_no_complaints()
+def newcomer(baseline_chromium: Browser, server: StaticServer) -> Iterator[Reader]:
+    with visit(baseline_chromium, server, folded=True) as reader:
+        yield reader
+        reader.assert_no_errors()
 
 
 def fold_of(reader: Reader, inside: str) -> Locator:
@@ -37,7 +37,7 @@ def test_figure_of_a_deeper_section_starts_once_it_is_opened(
     expect(figure).to_have_attribute("data-state", "still")
     fold.locator("> summary").click()
     expect(figure).to_have_attribute("data-state", "live")
-    newcomer.bring(figure.locator(".control-grid").first)
+    newcomer.scroll_to(figure.locator(".control-grid").first)
     newcomer.press(figure, "ArrowRight")
     expect(figure.locator(".panel-view canvas").first).to_be_visible()
     newcomer.page.wait_for_function("history.state?.opened?.length === 1")
@@ -48,18 +48,18 @@ def test_figure_of_a_deeper_section_starts_once_it_is_opened(
 
 def test_deeper_section_opens_for_any_link_to_a_place_in_it(newcomer: Reader) -> None:
     page, question = newcomer.page, "quiz-a-leaning-post"
-    asked = page.locator(f"#{question}")
+    question_form = page.locator(f"#{question}")
     newcomer.open(f"{CHAPTER}#{question}", live=False)
-    expect(asked).to_be_in_viewport()
+    expect(question_form).to_be_in_viewport()
     newcomer.open(NEXT, live=False)
     newcomer.turn_to_unlinked(f"{CHAPTER}#{question}")
-    expect(asked).to_be_in_viewport()
-    asked.locator("input").fill("12")
-    asked.locator("[type=submit]").click()
-    expect(asked).to_have_attribute("data-answered", "correct")
+    expect(question_form).to_be_in_viewport()
+    question_form.locator("input").fill("12")
+    question_form.locator("[type=submit]").click()
+    expect(question_form).to_have_attribute("data-answered", "correct")
 
     newcomer.open(f"{CHAPTER}?", live=False)
-    expect(asked).to_be_hidden()
+    expect(question_form).to_be_hidden()
     page.locator(f"#contents a[href='#{SECTION}']").click()
     expect(newcomer.figure("photon-transfer").locator("..")).to_be_visible()
     page.keyboard.press("/")

@@ -79,9 +79,9 @@ def test_each_chapter_is_complete_live_and_judges_its_answers(reader: Reader, bo
     assert page.evaluate("window.stays")
     page.reload()
     assert page.evaluate(HEAD) == heads[-2]
-    for name, kept, judged, said in page.evaluate(KEPT):
-        assert (kept, judged) == (True, "correct"), name
-        assert said, name
+    for name, kept, verdict, explanation in page.evaluate(KEPT):
+        assert (kept, verdict) == (True, "correct"), name
+        assert explanation, name
 
 
 def assert_alive_in_place(reader: Reader) -> None:
@@ -113,15 +113,15 @@ def assert_choices_are_judged(form: Locator, quiz: Any) -> None:
     right = [index for index, option in enumerate(quiz["options"]) if option["correct"]]
     choices = [[index] for index in range(len(quiz["options"]))] + [right]
     answers = form.evaluate(CHOOSE_EACH, choices)
-    for chosen, (judged, explanations) in zip(choices, answers, strict=True):
-        assert judged == ("correct" if chosen == right else "wrong"), quiz["id"]
+    for chosen, (verdict, explanations) in zip(choices, answers, strict=True):
+        assert verdict == ("correct" if chosen == right else "wrong"), quiz["id"]
         assert len(explanations) == len(chosen), quiz["id"]
         assert all(text.strip() for text in explanations), quiz["id"]
 
 
 def assert_all_numbers_are_judged(form: Locator, quiz: Any) -> None:
-    """A right one, known mistakes, and any other, of each combination that a question draws: each
-    has a reply of its own."""
+    """A right one, known mistakes, and any other, of each variant of a question: each has its
+    own reply."""
     variants = quiz.get("variants", [quiz])
     for number in range(len(variants)):
         if number:
@@ -131,13 +131,13 @@ def assert_all_numbers_are_judged(form: Locator, quiz: Any) -> None:
         given = [repr(option.get("value", 12345.6789)) for option in options]
         answers = form.evaluate(TYPE_EACH, given)
         verdicts = ["correct" if option["correct"] else "wrong" for option in options]
-        assert [judged for judged, _ in answers] == verdicts, quiz["id"]
+        assert [verdict for verdict, _ in answers] == verdicts, quiz["id"]
         replies = {reply for _, reply in answers}
         assert len(replies) == len(answers), f"{quiz['id']}: one reply twice"
 
 
 def right_guess(item: Any) -> str | None:
-    """The number or the place of the option; only the page has that of a curve."""
+    """The number or the index of the option; None for a curve, which only the page has."""
     match item["kind"]:
         case "number":
             return repr(next(option["value"] for option in item["options"] if option["correct"]))

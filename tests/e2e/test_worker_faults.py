@@ -30,7 +30,7 @@ CODE = """def _encoded(photo):
 
 import json, sys
 book = sys.modules["simulations.browser"]
-asked = book._request
+request = book._request
 
 def next_frame(*given):
     {}
@@ -39,7 +39,7 @@ book._request = next_frame
 """
 """Code that harms the next request to the book's interpreter."""
 OF_A_SMALL_MOVE = """moved = abs(json.loads(given[2]).get("k1", HERE) - HERE)
-    if not 0 < moved < 0.05: return asked(*given)
+    if not 0 < moved < 0.05: return request(*given)
     """
 """Frames estimated at `HERE`, and frames computed in advance, pass unharmed."""
 HASTE = """async (ms) => {
@@ -93,7 +93,7 @@ def test_worker_lost_during_a_frame_is_replaced_with_the_same_values(
 def test_exception_in_a_scene_is_reported_and_the_retry_keeps_its_values(
     visitor: Reader,
 ) -> None:
-    failing = "book._request = asked; raise ZeroDivisionError('the scene divides')"
+    failing = "book._request = request; raise ZeroDivisionError('the scene divides')"
     figure, slider = harm(visitor, OF_A_SMALL_MOVE + failing)
     slider.press("ArrowRight")
     kept = slider.input_value()
@@ -124,7 +124,7 @@ def test_call_refused_by_python_is_reported_and_the_next_one_succeeds(visitor: R
     figure = visitor.figure("perspective-projection")
     slider = figure.locator("input[name=focal_length]")
     for value in ("NaN", "1e309"):
-        visitor.put_back(figure)
+        visitor.restore(figure)
         with visitor.next_frame(figure):
             slider.evaluate(SET, value)
         assert figure.get_attribute("data-state") == "live"
@@ -150,8 +150,8 @@ SET = """(slider, value) => {
 SILENT = {
     "empty script": ("worker.js", Fault(lambda _: b"")),
     "silent script": ("worker.js", Fault(lambda _: b"onmessage = () => {};")),
-    "script never arrives": ("worker.js", Fault(late_s=3600)),
-    "file never arrives": ("numpy.zip", Fault(late_s=3600)),
+    "script never arrives": ("worker.js", Fault(delay_s=3600)),
+    "file never arrives": ("numpy.zip", Fault(delay_s=3600)),
 }
 AWAITED = """async () =>
   (await customElements.whenDefined('simulation-figure')).inside.sharedRuntime().awaits.file"""
@@ -161,12 +161,12 @@ AWAITED = """async () =>
     "silent", [*[*SILENT][3:], *(pytest.param(n, marks=pytest.mark.deep) for n in [*SILENT][:3])]
 )
 def test_waiting_figure_names_the_file_within_5_s_and_offers_a_retry(
-    brisk_chromium: Browser, uncached: StaticServer, silent: str
+    baseline_chromium: Browser, uncached: StaticServer, silent: str
 ) -> None:
     """A retry is offered within 20 s; the page's clock is advanced by the test."""
     file, fault = SILENT[silent]
     uncached.faults = {**WITHOUT_SNAPSHOT, f"/{file}": fault}
-    with visit(brisk_chromium, uncached) as reader:
+    with visit(baseline_chromium, uncached) as reader:
         page, figure = reader.page, reader.figure(SCENE)
         page.clock.install()
         reader.open(CHAPTER, live=False)
@@ -207,11 +207,11 @@ BEGIN = """async () => {
   window.runtime = new Runtime(location.href, () => []);
 }"""
 """A fake worker, which replies when the test says so."""
-ASK = """([name, payload]) => {
-  window.told = null;
+REQUEST = """([name, payload]) => {
+  window.outcome = null;
   window.runtime.call(name, payload).then(
-    () => { window.told = 'answered'; },
-    ({kind, message}) => { Object.assign(window, {told: kind, reason: message}); });
+    () => { window.outcome = 'answered'; },
+    ({kind, message}) => { Object.assign(window, {outcome: kind, reason: message}); });
 }"""
 
 
@@ -224,18 +224,18 @@ class FakeWorkerPage:
     def begin(self) -> None:
         """Start a worker, let it answer one frame, and request another."""
         self.page.evaluate(BEGIN)
-        self.ask("render")
+        self.request("render")
         self.page.clock.run_for(100)
         self.assert_waiting()
-        self.ask("render")
+        self.request("render")
         self.page.clock.run_for(100)
 
-    def ask(self, call: str) -> None:
-        self.page.evaluate(ASK, [call, {"figure": "figure-x", "scene": "any"}])
+    def request(self, call: str) -> None:
+        self.page.evaluate(REQUEST, [call, {"figure": "figure-x", "scene": "any"}])
 
     def outcome(self) -> Any:
         self.page.evaluate("Promise.resolve()")
-        return self.page.evaluate("told")
+        return self.page.evaluate("outcome")
 
     def assert_waiting(self) -> None:
         """Assert that the worker's answer is still accepted."""
@@ -281,16 +281,16 @@ def test_silent_worker_is_given_up_unless_it_may_be_at_work(
     faked.assert_waiting()
 
     page.evaluate("dead = true")
-    faked.ask("render")
+    faked.request("render")
     clock.run_for(3000)
     assert faked.outcome() == "lost", "a dead worker, within 2 s and a tick of the clock"
 
     page.evaluate(BEGIN)
-    faked.ask("prepare")
+    faked.request("prepare")
     clock.run_for(100)
     page.evaluate("answer({ok: false, fatal: true, error: 'table index is out of bounds'})")
     assert faked.outcome() == "lost"
-    faked.ask("render")
+    faked.request("render")
     clock.run_for(100)
     assert page.evaluate("plain") == [False, True], "then without the snapshot"
 

@@ -19,12 +19,12 @@ import skimage.color
 import skimage.metrics
 from PIL import Image
 from scipy.spatial.transform import Rotation, Slerp
-from support.found import TABLES
+from support.places import hard_cases
 from support.worked_numbers import CONTENT
 
 from simulations.engine.hard_cases import HardCases, answer, as_expected, naive_answer, show
 
-EACH = pytest.mark.parametrize("table", TABLES, ids=lambda table: table.id)
+EACH = pytest.mark.parametrize("table", hard_cases(), ids=lambda table: table.id)
 KNOWN = tomllib.loads(Path(__file__).with_name("known_values.toml").read_text("utf-8"))
 OTHER_MASKS = ("euler.from_matrix(", "apparent_wheel_speed(", "undistort_clamped(")
 """Calls whose result is valid even where its flag is false: locked, uncertain, clamped."""
@@ -85,6 +85,6 @@ def test_library_gives_the_answer_that_the_book_prints(table: HardCases) -> None
 
 def test_book_prints_every_table_and_known_values_have_one() -> None:
     text = "".join(file.read_text("utf-8") for file in CONTENT.glob("*.md"))
-    tables = {table.id for table in TABLES}
+    tables = {table.id for table in hard_cases()}
     assert tables == set(re.findall(r"^:+\{extremes\} (\S+)", text, re.M))
     assert KNOWN.keys() <= tables

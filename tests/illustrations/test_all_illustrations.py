@@ -7,14 +7,14 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
-from support.found import ILLUSTRATIONS
 from support.label_boxes import labels
+from support.places import illustrations
 
 from simulations.engine.plotting.labels import Rectangle
 from site_builder.output.style_sheets import colour_rules
 
 ROOT = Path(__file__).resolve().parents[2]
-DRAWN = {name: draw() for name, draw in ILLUSTRATIONS.items()}
+DRAWN = {name: draw() for name, draw in illustrations().items()}
 EACH = pytest.mark.parametrize("name", DRAWN)
 WIDTHS = {190, 300, 320, 400}
 STROKE = 3.0
@@ -88,4 +88,4 @@ def test_every_illustration_is_shown_by_one_chapter() -> None:
     shown = [
         name for text in chapters for name in re.findall(r"^:::\{illustration\} (\S+)", text, re.M)
     ]
-    assert sorted(shown) == sorted(ILLUSTRATIONS)
+    assert sorted(shown) == sorted(illustrations())

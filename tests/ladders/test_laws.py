@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy import stats
-from support.ladder_run import run_of
+from support.ladders import run_of
 
 from simulations.models.geometry.homography_estimation import estimate_homography
 from simulations.models.geometry.quaternion_blends import STRAIGHT

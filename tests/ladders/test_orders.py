@@ -3,7 +3,7 @@
 from typing import Any
 
 import pytest
-from support.ladder_run import LadderRun, run_of
+from support.ladders import LadderRun, run_of
 
 ORDERS = [
     ("block-dct", "max(worst.separable, worst.direct, worst.fourier) < 1e-11"),

@@ -14,7 +14,7 @@ from scipy import stats
 from scipy.fft import dctn
 from scipy.integrate import quad
 from scipy.spatial.transform import Rotation, Slerp
-from support.ladder_run import run_of
+from support.ladders import run_of
 
 from simulations.models.compression.blocks import LUMINANCE_TABLE
 from simulations.models.distortion.lens_model import (

@@ -15,10 +15,18 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 from scipy.ndimage import gaussian_filter
-from support.bent_boards import LENSES, bent_views
-from support.bent_boards import SIZE as BOARD_SIZE
-from support.drawn_lines import CENTRE, FOCAL, SIZE, drawn, floor_point, raised, seen, some_pose
-from support.edges import gaussian_edge, gaussian_half
+from support.charts import gaussian_edge, gaussian_half
+from support.chequerboards import BENT_SIZE, BOARD_WORLDS, bent_views
+from support.drawn_lines import (
+    CENTRE,
+    FOCAL,
+    SIZE,
+    above,
+    floor_point,
+    image_of,
+    lines_along_axes,
+    random_pose,
+)
 from support.places import ROOT
 
 from simulations.engine.controls import PointLists
@@ -144,7 +152,7 @@ def edge(rng: np.random.Generator, world: dict[str, float], side: int) -> Scores
 def lens(rng: np.random.Generator, world: dict[str, float], side: int) -> Scores:
     """Scores from twelve photographs of a board, with the supported lens and shape."""
     truth, views = bent_views(world, rng)
-    flat = compare(views, BOARD_SIZE)
+    flat = compare(views, BENT_SIZE)
     shape = best_shape(shapes(views, flat)) if side else flat[-1]
     trial = supported(flat if shape.shape == "flat" else with_shape(views, flat, shape))
     names = {"fx": "focal length", "cx": "principal point"}
@@ -168,8 +176,8 @@ PICTURES: dict[str, dict[str, float]] = {
 def picture(rng: np.random.Generator, world: dict[str, float], _side: int) -> Scores:
     """Scores from four lines along each axis of a room and three lengths, one of them known."""
     lens = PictureLens(CENTRE, (FOCAL, FOCAL), Distortion(k1=world.get("k1", 0.0)))
-    pose, sigma = some_pose(rng), world.get("sigma", 1.0)
-    ends, axes = drawn(pose, rng)
+    pose, sigma = random_pose(rng), world.get("sigma", 1.0)
+    ends, axes = lines_along_axes(pose, rng)
 
     def clicked(straight: Floats) -> Floats:
         return lens.bent(straight) + rng.normal(0, sigma, straight.shape)
@@ -181,8 +189,8 @@ def picture(rng: np.random.Generator, world: dict[str, float], _side: int) -> Sc
         scatter = world["edge_px"]
         known = lens_by_lines([each + rng.normal(0, scatter, each.shape) for each in edges], known)
     sides = [floor_point(pose, rng) for _ in range(5)]
-    true = (sides[0], sides[1]), (sides[2], sides[3]), (sides[4], raised(sides[4], 1.0))
-    drawn_ends = [clicked(seen(np.array(pair), pose)) for pair in true]
+    true = (sides[0], sides[1]), (sides[2], sides[3]), (sides[4], above(sides[4], 1.0))
+    drawn_ends = [clicked(image_of(np.array(pair), pose)) for pair in true]
     lines = lines_of([clicked(ends[axes == axis]) for axis in range(3)], drawn_ends)
     found = camera_of(lines, (known, ""), 1.0, False, OWN)
     made = lengths_of(lines, found, math.dist(*true[0]), "floor")
@@ -205,7 +213,7 @@ WORLDS: dict[str, tuple[Callable[..., Scores], dict[str, dict[str, float]]]] = {
     "noise": (sensor, SENSORS),
     "sharpness": (edge, EDGES),
     "distances": (picture, PICTURES),
-    "lens": (lens, LENSES),
+    "lens": (lens, BOARD_WORLDS),
 }
 ROWS = [(kind, name) for kind, (_, worlds) in WORLDS.items() for name in worlds]
 

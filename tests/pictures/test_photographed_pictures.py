@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from support.boards import facing_board
+from support.chequerboards import facing_board
 
 from simulations.models.arrays import Floats
 from simulations.models.chequerboard.board import Board

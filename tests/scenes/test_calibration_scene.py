@@ -12,9 +12,8 @@ import numpy as np
 import pytest
 from pypdf import PdfReader
 from pypdf.generic import ContentStream
-from support.boards import facing_board
+from support.chequerboards import SIZE, TRUTH, facing_board, photographs
 from support.frames import frame_of, pixels_of, texts_of
-from support.sittings import SIZE, TRUTH, photographs
 
 from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph

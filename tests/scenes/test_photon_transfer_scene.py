@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from PIL import Image
-from support.flat_fields import FILE_GAIN, SENSOR, as_srgb, light_of, pairs_of
+from support.charts import FILE_GAIN, SENSOR, as_srgb, light_of, pairs_of
 from support.frames import frame_of, outputs_of, texts_at
 
 from simulations.engine.photograph import Mosaic, Photograph

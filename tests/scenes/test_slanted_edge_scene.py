@@ -8,7 +8,7 @@ import re
 import numpy as np
 import pytest
 from scipy.ndimage import shift as shifted
-from support.edges import gaussian_edge, gaussian_half, grain
+from support.charts import gaussian_edge, gaussian_half, grain
 from support.frames import frame_of, outputs_of, pixels_of, texts_at, texts_of
 
 from simulations.engine.frame import Frame

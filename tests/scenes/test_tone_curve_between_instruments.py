@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from support.edges import gaussian_edge, gaussian_half, grain
+from support.charts import gaussian_edge, gaussian_half, grain
 
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading

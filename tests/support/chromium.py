@@ -1,4 +1,4 @@
-"""Find a Chromium for the browser tests, or get one: ``python -m support.chromium``."""
+"""Find Chromium for the browser tests, or install it: ``python -m support.chromium``."""
 
 import os
 import shutil
@@ -24,7 +24,7 @@ SHELL = "chromium-headless-shell"
 
 
 def find_headless_shell() -> Path | None:
-    """The system's Chromium that has no window to draw, if it is installed.
+    """The system's Chromium without a window, if it is installed.
 
     It opens and paints the same pages with a quarter less work.
     """
@@ -34,7 +34,7 @@ def find_headless_shell() -> Path | None:
 
 @contextmanager
 def open_chromium(*arguments: str) -> Iterator[Browser]:
-    """The whole browser, for measuring; raises `SystemExit` where there is none."""
+    """The complete browser, for measurements; raises `SystemExit` if none is installed."""
     found = find_chromium()
     if found is None:
         raise SystemExit(HOW_TO)
@@ -48,12 +48,12 @@ def open_chromium(*arguments: str) -> Iterator[Browser]:
 
 
 def install_commands() -> list[list[str]]:
-    """Ways to get a browser, the least intrusive first."""
+    """Commands that install a browser, the least intrusive first."""
     return [[sys.executable, "-m", "playwright", "install", "chromium"], *packaged("chromium")]
 
 
 def packaged(*names: str) -> list[list[str]]:
-    """How to install packages of the system's, where that is ours to do."""
+    """Commands that install system packages; empty without apt or the rights for it."""
     if not shutil.which("apt-get"):
         return []
     elevate = [] if os.geteuid() == 0 else ["sudo", "-n"]
@@ -71,7 +71,7 @@ def main() -> int:
 
 
 def get(find: Callable[[], Path | None], commands: Sequence[Sequence[str]]) -> Path | None:
-    """What is found, at first or after one of the commands."""
+    """The program found, if necessary after running the commands one by one."""
     found = find()
     for command in commands:
         if found:

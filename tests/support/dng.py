@@ -1,6 +1,6 @@
-"""Raw files of a sensor whose truth is known: uncompressed DNG (Adobe, *Digital Negative*, 1.4).
+"""Raw files of a known sensor: uncompressed DNG (Adobe, *Digital Negative*, 1.4).
 
-A DNG is a TIFF file (TIFF 6.0) with tags of its own; `tag_of` names those that are written here.
+A DNG is a TIFF file (TIFF 6.0) with further tags.
 """
 
 import struct
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 BYTE, ASCII, SHORT, LONG, RATIONAL, SRATIONAL = 1, 2, 3, 4, 5, 10
 FORMATS = {BYTE: "B", SHORT: "H", LONG: "I", RATIONAL: "II", SRATIONAL: "ii"}
 TO_XYZ = (3.2406, -1.5372, -0.4986, -0.9689, 1.8758, 0.0415, 0.0557, -0.2040, 1.0570)
-"""The matrix of filters that are those of linear sRGB."""
+"""The colour matrix of a sensor with the primaries of linear sRGB."""
 
 type Entry = tuple[int, int, Sequence[float] | str]
 """Tag, type and values."""
@@ -30,8 +30,8 @@ def dng(
     focal_mm: float = 50.0,
     orientation: int = 1,
 ) -> bytes:
-    """The file of a mosaic (H, W): 16 bits a cell, red 0, green 1 and blue 2 by ``pattern`` of a
-    quad, row by row. ``black`` has one level, or one for each cell of the quad."""
+    """The file of a mosaic (H, W) of 16 bits per cell; ``pattern`` has the colours of a 2 × 2 quad
+    row by row (red 0, green 1, blue 2), ``black`` one level, or one for each cell of the quad."""
     height, width = mosaic.shape
     strip = mosaic.astype("<u2").tobytes()
     side = 1 if len(black) == 1 else 2
@@ -81,7 +81,7 @@ def _with(entries: list[Entry], pointers: Mapping[int, int]) -> list[Entry]:
 
 
 def _directory(entries: Sequence[Entry], at: int) -> bytes:
-    """An image file directory at byte ``at``, with the values that do not fit into it behind."""
+    """An image file directory at byte ``at``, followed by the values that do not fit into it."""
     head, behind = struct.pack("<H", len(entries)), b""
     place = at + 2 + 12 * len(entries) + 4
     for tag, kind, values in entries:
@@ -96,7 +96,7 @@ def _directory(entries: Sequence[Entry], at: int) -> bytes:
 
 
 def _packed(kind: int, values: Sequence[float] | str) -> tuple[bytes, int]:
-    """The bytes of the values, and their count."""
+    """The bytes of the values, and the count field of the tag."""
     if isinstance(values, str):
         data = values.encode("ascii") + b"\0"
         return data, len(data)

@@ -1,4 +1,4 @@
-"""Lines along three axes and points of the floor, seen by a camera that is known."""
+"""Lines along three axes and points on the floor, in the image of a known camera."""
 
 import math
 
@@ -15,22 +15,22 @@ K = intrinsics(FOCAL, CENTRE)
 HEIGHT = 1.5
 
 
-def some_pose(rng: np.random.Generator) -> Floats:
-    """A camera that sees three vanishing points: turned by 20 to 70°, 9 to 34° down, leaning a
-    little."""
+def random_pose(rng: np.random.Generator) -> Floats:
+    """A camera with three finite vanishing points: pan 20 to 70°, tilt 9 to 34° down, and a small
+    roll."""
     return pose_above_ground(
         HEIGHT, rng.uniform(0.35, 1.2), rng.uniform(0.15, 0.6), rng.uniform(-0.1, 0.1)
     )
 
 
-def drawn(
+def lines_along_axes(
     pose: Floats,
     rng: np.random.Generator,
     counts: tuple[int, int, int] = (4, 4, 4),
     shortest: float = 150.0,
     K: Floats = K,
 ) -> tuple[Floats, Floats]:
-    """The ends (N, 2, 2) of lines in the picture, without noise, and their axes (N,)."""
+    """The ends (N, 2, 2) in pixels of lines in the image, without noise, and their axes (N,)."""
     ends, axes = [], []
     for axis, count in enumerate(counts):
         found = 0
@@ -38,7 +38,7 @@ def drawn(
             pixel, depth = rng.uniform((0.0, 0.0), SIZE), rng.uniform(2.0, 8.0)
             start = invert_pose(pose) @ [*(depth * np.linalg.inv(K) @ [*pixel, 1.0]), 1.0]
             along = np.eye(3)[axis] * rng.uniform(0.5, 3.0)
-            line = seen(np.array([start[:3], start[:3] + along]), pose, K)
+            line = image_of(np.array([start[:3], start[:3] + along]), pose, K)
             if (line >= 0.0).all() and (line < SIZE).all() and math.dist(*line) > shortest:
                 ends.append(line)
                 axes.append(axis)
@@ -46,18 +46,19 @@ def drawn(
     return np.array(ends), np.array(axes)
 
 
-def seen(points: Floats, pose: Floats, K: Floats = K) -> Floats:
+def image_of(points: Floats, pose: Floats, K: Floats = K) -> Floats:
     """Pixels (..., 2); NaN behind the camera."""
     return project(world_to_camera(points, pose), K)[0]
 
 
 def floor_point(pose: Floats, rng: np.random.Generator) -> Floats:
-    """A point (3,) of the floor that is well below the horizon of the picture."""
+    """A point (3,) on the floor, in metres, well below the horizon of the image."""
     while True:
         ray = pose[:3, :3].T @ np.linalg.inv(K) @ [*rng.uniform((0.0, 0.0), SIZE), 1.0]
         if ray[2] < -0.2:
             return np.array([0.0, 0.0, HEIGHT]) - ray * (HEIGHT / ray[2])
 
 
-def raised(foot: Floats, height: float) -> Floats:
+def above(foot: Floats, height: float) -> Floats:
+    """The point (3,) at this height over a point (3,) of the floor."""
     return foot + np.array([0.0, 0.0, height])

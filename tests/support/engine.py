@@ -1,19 +1,23 @@
-"""The engine as authors have it: a wheel of this repository, installed."""
+"""The engine as authors have it, an installed wheel, and sites shared by all workers."""
 
 import subprocess
 import sys
 import sysconfig
 import venv
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from subprocess import CompletedProcess
+
+import pytest
+from filelock import FileLock
 
 QUIETLY = ("-m", "pip", "--disable-pip-version-check", "--quiet")
 
 
 @dataclass(frozen=True, slots=True)
 class Engine:
-    """An environment that has the engine, and the packages of the suite beside it."""
+    """A virtual environment with the engine and the packages of the test suite."""
 
     folder: Path
 
@@ -23,7 +27,7 @@ class Engine:
 
     @property
     def wheel(self) -> Path:
-        """The wheel that it was made from."""
+        """The wheel that was installed."""
         (wheel,) = (self.folder / "wheels").glob("*.whl")
         return wheel
 
@@ -37,13 +41,13 @@ class Engine:
 
 
 def make_engine(source: Path, folder: Path) -> CompletedProcess[str]:
-    """A new environment in ``folder`` with the engine of the repository ``source``; the outcome of
-    the last step."""
+    """Create an environment in ``folder`` with the engine of the repository ``source``; returns the
+    result of the installation."""
     return new_engine(folder).install(build_wheel(source, folder / "wheels"))
 
 
 def new_engine(folder: Path) -> Engine:
-    """Without an engine yet."""
+    """An environment in which the engine is not installed yet."""
     venv.create(folder, symlinks=True)
     own = sysconfig.get_path("purelib", vars={"base": str(folder), "platbase": str(folder)})
     suite = f"import site; site.addsitedir({sysconfig.get_path('purelib')!r})"
@@ -61,3 +65,20 @@ def build_wheel(source: Path, out: Path) -> Path:
 
 def run(folder: Path, *command: str) -> CompletedProcess[str]:
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+def built_once(
+    folders: pytest.TempPathFactory,
+    worker_id: str,
+    name: str,
+    build: Callable[[Path], CompletedProcess[str]],
+) -> Path:
+    """The folder that ``build`` writes, built by the first worker that needs it; a failed build
+    fails the test with its message."""
+    base = folders.getbasetemp()
+    out = (base if worker_id == "master" else base.parent) / name / "site"
+    with FileLock(f"{out.parent}.lock"):
+        if not out.exists():
+            done = build(out)
+            assert done.returncode == 0, done.stderr
+    return out

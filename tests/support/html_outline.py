@@ -1,6 +1,6 @@
-"""A strict reading of HTML: every element closed in order, ids unique; gives elements to tests.
+"""A strict reader of HTML, which asserts that elements are closed in order and ids are unique.
 
-`outline` tells what is on a page without its markup: kinds, ids, addresses, numbers and text.
+`outline` is the content of a page without its markup: kinds, ids, addresses, numbers and text.
 """
 
 import re
@@ -90,7 +90,7 @@ class _Parser(HTMLParser):
 
 
 def read_html(markup: bytes) -> Page:
-    """The page; asserts that it is well formed and names no id twice."""
+    """The page; asserts that it is well formed and that its ids are unique."""
     parser = _Parser()
     parser.feed(markup.decode())
     parser.close()
@@ -106,8 +106,8 @@ INLINE = {
     "textarea", "time", "track",
 }  # fmt: skip
 FURNITURE = ("header", "script", "style", "template", "button", "textarea", "svg")
-"""Elements that stand in pages beside what their author wrote."""
-SHOWN = (
+"""Elements that the builder adds to the author's text; `outline` leaves them out."""
+ATTRIBUTES = (
     "id", "name", "type", "value", "min", "max", "step", "checked", "selected", "alt", "width",
     "height", "colspan", "lang", "srclang", "hreflang", "start", "download", "controls", "poster",
     "open", "data-quiz", "data-predict", "data-kind", "data-answers", "data-simulation",
@@ -117,7 +117,7 @@ ROLE = re.compile(r"\brole-(\S+)")
 
 
 def outline(element: Element) -> str:
-    """What the element holds but its header, a block a line, indented by what is around it.
+    """The content of the element, one block per line, indented by depth.
 
     Links are ``[words](address)``, code stands between backticks, formulae between ``$``.
     """
@@ -125,7 +125,7 @@ def outline(element: Element) -> str:
 
 
 def within(element: Element) -> Iterator[Element]:
-    """All elements in it."""
+    """All elements inside this one, at any depth."""
     for item in element.content:
         if isinstance(item, Element):
             yield item
@@ -172,7 +172,7 @@ def _plain(words: str) -> str:
 
 def _attributes(element: Element) -> str:
     shown = []
-    for name in SHOWN:
+    for name in ATTRIBUTES:
         if name in element.attributes:
             value = _address(element[name])
             shown.append(f"#{value}" if name == "id" else f"{name}={value}" if value else name)

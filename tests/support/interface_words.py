@@ -1,4 +1,4 @@
-"""Words of the interface looked for in finished files."""
+"""Search finished files for words of the interface."""
 
 import ast
 import html
@@ -10,14 +10,14 @@ from pathlib import Path
 from site_builder.files.engine import ENGINE, ENGINE_PARTS
 from site_builder.languages.words import Words
 
-NOT_OURS = re.compile(r"<(pre|code)\b.*?</\1>", re.DOTALL)
-"""Code and the texts of licences keep their language."""
+UNTRANSLATED = re.compile(r"<(pre|code)\b.*?</\1>", re.DOTALL)
+"""Code and licence texts, which are not translated."""
 COMMENTS = re.compile(r"/\*.*?\*/|(?m:(?<![:\"'`])//.*$)", re.DOTALL)
 PLACEHOLDER = re.compile(r"\{\w+\}")
 
 
 def phrases(words: Words) -> Iterator[tuple[str, str]]:
-    """Parts of each text between placeholders, where they are more than a word."""
+    """The parts of each text between placeholders that are longer than a word."""
     for key, text in words.texts.items():
         for form in [text] if isinstance(text, str) else text.values():
             for part in PLACEHOLDER.split(form):
@@ -26,11 +26,11 @@ def phrases(words: Words) -> Iterator[tuple[str, str]]:
                     yield key, phrase
 
 
-def said(file: Path) -> str:
-    """What readers may come to see of a page, a script or a style sheet."""
+def visible_text(file: Path) -> str:
+    """The text of a page, a script or a style sheet that readers may see."""
     text = file.read_text(encoding="utf-8")
     if file.suffix == ".html":
-        return html.unescape(NOT_OURS.sub("", text))
+        return html.unescape(UNTRANSLATED.sub("", text))
     return COMMENTS.sub("", text)
 
 
@@ -39,7 +39,7 @@ SENTENCE = re.compile(r"[A-Za-z]{2,} [A-Za-z]{2,}")
 
 @cache
 def engine_sentences() -> frozenset[str]:
-    """Whatever in the Python of the engine might be a sentence, or a part of one."""
+    """String constants in the Python of the engine that may be sentences, or parts of one."""
     parts = [ENGINE / "simulations" / part for part in ENGINE_PARTS]
     files = [file for part in parts for file in (*part.rglob("*.py"), part.with_suffix(".py"))]
     texts = (

@@ -1,8 +1,8 @@
-"""Which kernels NumPy computes with, and how to have the oldest.
+"""The kernels that NumPy computes with, and the environment in which it uses the oldest ones.
 
 OpenBLAS and NumPy have code for each generation of processors and use the newest that this one can
-run. Errors near rounding depend on it. As a program, this prints the environment in which they use
-the code for the oldest processors, as assignments for ``export``.
+run. Errors near rounding depend on it. As a program, this module prints the environment for the
+oldest kernels, as assignments for ``export``.
 """
 
 import platform
@@ -22,13 +22,13 @@ def in_use() -> str:
 
 
 def dispatched() -> list[str]:
-    """Sets of instructions above the baseline that NumPy uses on this processor."""
+    """Instruction sets above the baseline that NumPy uses on this processor."""
     found: list[str] = np.show_config(mode="dicts")["SIMD Extensions"].get("found", [])
     return found
 
 
 def oldest() -> Mapping[str, str]:
-    """The environment in which both use the oldest."""
+    """The environment in which OpenBLAS and NumPy use their oldest kernels."""
     numpy = {"NPY_DISABLE_CPU_FEATURES": ",".join(dispatched())}
     blas = OLDEST.get(platform.machine())
     return {**numpy, "OPENBLAS_CORETYPE": blas} if blas else numpy

@@ -1,4 +1,4 @@
-"""Where the labels of a drawing stand, measured in the book's own faces."""
+"""Bounding boxes of the labels in a drawing, measured in the book's fonts."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -12,9 +12,9 @@ from simulations.engine.letters import SCRIPT_SIZE
 from simulations.engine.plotting.labels import Rectangle
 
 ITALIC, UPRIGHT = 14.0, 13.5
-"""The largest sizes of labels, in units of the view box: illustrations.css."""
+"""The largest sizes of labels in illustrations, in units of the view box: illustrations.css."""
 LARGE, SMALL = 16.0, 15.5
-"""Likewise in figures, where a phone is narrowest: overlay.css."""
+"""The largest font sizes in figures, on the narrowest phone: overlay.css."""
 FACES = {
     "sans": ("font_source_sans_pro", "files/SourceSansPro-Regular.ttf"),
     "strong": ("font_source_sans_pro", "files/SourceSansPro-Semibold.ttf"),
@@ -25,7 +25,7 @@ MEASURED_AT = 100
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """A text of a drawing and the room that it takes."""
+    """A text of a drawing and its bounding box."""
 
     text: str
     box: Rectangle
@@ -42,7 +42,7 @@ def in_figures(style: Sequence[str]) -> float:
 def labels(
     overlay: str, size_of: Callable[[Sequence[str]], float] = in_illustrations
 ) -> Iterator[Label]:
-    """The labels of a panel's overlay, in view box units; their size by their classes."""
+    """The labels of a panel's overlay, in view box units; ``size_of`` maps classes to sizes."""
     for element in ElementTree.fromstring(f"<svg>{overlay}</svg>").iter("text"):
         yield Label("".join(element.itertext()), _box(element, size_of))
 

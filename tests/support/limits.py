@@ -1,21 +1,22 @@
-"""Limits of time for waits: longer on a machine that is slow, or busy with other work, just now."""
+"""Time limits for waits, longer while the machine is slow or busy with other work."""
 
 import os
 import time
 
 QUIET_S = 0.011
-"""What `_work` takes on a quiet machine of two cores."""
+"""Duration of `_work` on a quiet machine with two cores."""
 FRESH_S = 5.0
-"""How long a measurement is taken for the present."""
+"""How long a measurement stays valid."""
 SLOWEST = 6.0
 LIMIT_S = 30.0
-"""Longest wait on a quiet machine, for anything: a wait ends with its event."""
+"""The longest wait on a quiet machine; a wait ends as soon as its event occurs."""
 
 _measured = (-FRESH_S, 1.0)
 
 
 def slowness() -> float:
-    """How many times as long as on a quiet machine work takes now: 1 to `SLOWEST`."""
+    """The ratio of the present duration of work to its duration on a quiet machine, from 1 to
+    `SLOWEST`."""
     global _measured
     at, found = _measured
     if time.monotonic() - at > FRESH_S:
@@ -33,7 +34,7 @@ def limit_s() -> float:
 
 
 def limit_ms() -> float:
-    """The same in milliseconds, as browsers take it."""
+    """The limit in milliseconds, for browsers."""
     return 1000 * limit_s()
 
 

@@ -1,6 +1,7 @@
-"""A little book, checked and rendered, and its one scene."""
+"""A little book with one scene, checked and rendered, and a package of modules beside it."""
 
 import json
+import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -11,9 +12,10 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 from support.html_outline import outline, read_html
+from support.ladders import toy_data, toy_ladder
 from support.places import ROOT
-from support.toy_ladder import toy_data, toy_ladder
 
+import simulations
 from simulations.engine.accuracy import Accuracy, tiers
 from simulations.engine.drafting import picture
 from simulations.engine.drawing import line, polygon, text
@@ -37,7 +39,7 @@ from site_builder.search.index import SHARED, make_records
 STATIC = ROOT / "static"
 FIXTURES = ROOT / "tests" / "fixtures"
 ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>\n'
-SHOWN = """\
+OUTLINE_WITH_FIGURE = """\
 title = "Small Book"
 subtitle = "A book for tests."
 prerequisites = "None."
@@ -48,9 +50,9 @@ chapters = [
   "01-second",
 ]
 """
-"""The outline of the book; its cover has a figure."""
+"""``book.toml`` with a figure on the cover."""
 OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
-"""Another one, without a figure on the cover."""
+"""``book.toml`` without a figure on the cover."""
 FRONT = "---\ntitle: First\nsummary: The first chapter.\n---\n"
 
 
@@ -72,8 +74,8 @@ type MakeBook = Callable[..., Options]
 
 @contextmanager
 def plain_scripts() -> Iterator[pytest.MonkeyPatch]:
-    """Scripts are bundled as they are, which takes no time; this module has an illustration and a
-    table of hard cases."""
+    """Copy scripts instead of bundling them, which takes no time, and register an illustration and
+    a table of hard cases."""
 
     def as_written(sources: Mapping[str, Content], *entries: str) -> Bundle:
         scripts = {name: content_bytes(sources[name]) for name in entries}
@@ -95,9 +97,9 @@ def bundled() -> Iterator[pytest.MonkeyPatch]:
 def write_book(
     root: Path, body: str = "Text.\n", files: Mapping[str, str | None] | None = None
 ) -> Options:
-    """Writes a book whose first chapter is ``body``; other files by path override the defaults."""
+    """Write a book whose first chapter is ``body``; ``files`` by path override the defaults."""
     sources: dict[str, str | None] = {
-        "content/book.toml": SHOWN,
+        "content/book.toml": OUTLINE_WITH_FIGURE,
         "content/00-first.md": FRONT + body,
         "content/01-second.md": SECOND,
         "simulations/models/thing.py": THING,
@@ -122,7 +124,7 @@ def make_book(tmp_path: Path, bundled: pytest.MonkeyPatch) -> MakeBook:  # noqa:
 
 
 def diagnostics(options: Options) -> list[Diagnostic]:
-    """Warnings and mistakes."""
+    """The warnings and errors of the book."""
     found: list[Diagnostic] = []
     try:
         check_site(replace(options, warn=found.append))
@@ -144,7 +146,7 @@ class Settings:
     play: int = action("Play", "Pause", drives="k1", effect="play")
 
 
-def tell(k1: float, tier: str) -> str:
+def describe(k1: float, tier: str) -> str:
     return f"Shows k1 of {k1:g} in tier {tier}."
 
 
@@ -168,13 +170,13 @@ DEMO = Scene(
     title="Demo",
     settings=Settings,
     draw=draw_demo,
-    stages=(Stage("sentence", tell),),
+    stages=(Stage("sentence", describe),),
     accuracy=Accuracy(levels=tiers("fast", "exact", labels={"fast": "Fast", "exact": "Exact"})),
 )
 
 
 def draw() -> Illustration:
-    """An illustration, as if it lay where a book has them."""
+    """An illustration, registered as ``similar-triangles``."""
     drawn = in_steps(*([polygon([(0, 0), (size, 0), (0, size)])] for size in (30, 60)))
     dots = picture((70, 0), 60, 60, np.zeros((2, 2, 4), np.uint8))
     panel = Panel("plan", "Plan", 400, 300, overlay=drawn + dots)
@@ -197,12 +199,12 @@ def load_demo(scene_id: str) -> Scene[Settings]:
 
 IMPORT = "from simulations.notebook.live import figure"
 FIELDS = ("title", "introduced", "explains", "asked", "text", "figures", "questions")
-"""What a record of the search holds."""
+"""The fields of a search record that are shown."""
 
 
 def part_of(options: Options, part: str) -> str:
     """Outline of the first chapter below its head, or of another ``part``: a page of the site by
-    its address, the chapter on ``paper``, as a ``notebook``, or in the ``search``."""
+    address, or the chapter in print (``paper``), as a ``notebook``, or in the ``search``."""
     match part:
         case "paper":
             printed = ElementTree.tostring(compose(options).sections[0].article)
@@ -226,3 +228,23 @@ def part_of(options: Options, part: str) -> str:
     page = read_html(rendered(options)[f"{part or 'first'}/index.html"])
     (article,) = page.all("article") or page.all("main")
     return outline(article)
+
+
+PACKAGE = "simulations.small"
+
+
+@contextmanager
+def small_package(folder: Path, modules: Mapping[str, str]) -> Iterator[None]:
+    """A package `simulations.small` of these sources, by module name, while the block runs."""
+    package = folder / "simulations" / "small"
+    package.mkdir(parents=True)
+    for name, source in {"__init__": "", **modules}.items():
+        (package / f"{name}.py").write_text(source, encoding="utf-8")
+    sys.path.append(str(folder))
+    try:
+        yield
+    finally:
+        sys.path.remove(str(folder))
+        for name in [name for name in sys.modules if name.startswith(PACKAGE)]:
+            del sys.modules[name]
+        vars(simulations).pop("small", None)

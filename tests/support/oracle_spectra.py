@@ -8,30 +8,30 @@ import numpy as np
 from simulations.models.arrays import Floats
 
 with warnings.catch_warnings():
-    warnings.simplefilter("ignore")  # it misses packages for plotting
+    warnings.simplefilter("ignore")  # of missing packages for plotting
     import colour
 
 oracle: Any = colour
 
 
-def sampled(distribution: Any) -> Floats:
-    """A spectrum of the library every 5 nm from 380 to 780."""
+def on_grid(distribution: Any) -> Floats:
+    """A spectrum (81,) of the library, every 5 nm from 380 to 780."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # it tells that it interpolates
+        warnings.simplefilter("ignore")  # of interpolation
         return np.asarray(distribution.copy().align(oracle.SpectralShape(380, 780, 5)).values)
 
 
 def illuminant(name: str) -> Floats:
-    """An illuminant of the CIE."""
-    return sampled(oracle.SDS_ILLUMINANTS[name])
+    """The spectrum (81,) of a CIE illuminant."""
+    return on_grid(oracle.SDS_ILLUMINANTS[name])
 
 
-TABULATED = sampled(oracle.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"])
-"""(81, 3) the CIE's own tables of x̄, ȳ, z̄."""
+TABULATED = on_grid(oracle.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"])
+"""The tables of x̄, ȳ, z̄ by the CIE, (81, 3)."""
 
 
 def tabulated_xy(light: Floats) -> Floats:
-    """Chromaticity of a light (81,) by these tables."""
+    """The chromaticity (2,) of a light (81,) by these tables."""
     xyz = light @ TABULATED
     pair: Floats = xyz[:2] / xyz.sum()
     return pair

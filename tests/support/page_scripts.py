@@ -1,4 +1,4 @@
-"""JavaScript that a reader of the tests runs in the pages of the book."""
+"""JavaScript that tests run in the pages of the book."""
 
 FIGURES = "document.querySelectorAll('simulation-figure:not(details:not([open]) *)')"
 LIVE = f"[...{FIGURES}].every((figure) => figure.dataset.state === 'live')"
@@ -9,12 +9,12 @@ SILENT_WORKER = """globalThis.Worker = class extends EventTarget {
 };"""
 """Python that never starts: figures keep their stills and their controls."""
 
-EVERYTHING = "try { localStorage.setItem('image-formation:everything', 'true'); } catch {}"
-"""The reader's choice to see deeper sections unfolded."""
+UNFOLDED = "try { localStorage.setItem('image-formation:everything', 'true'); } catch {}"
+"""The stored preference for open deeper sections."""
 
-FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
+SAVE_DATA = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
 sessionStorage.setItem('image-formation:asked', 'yes')"""
-"""Python is asked for, but nothing is fetched or computed for a page that may come."""
+"""Python starts, but nothing is fetched or computed in advance for other pages."""
 
 WATCH_SHIFTS = """
 window.shifts = [];
@@ -25,7 +25,7 @@ new PerformanceObserver((list) => window.shifts.push(...list.getEntries()
   .observe({type: 'layout-shift', buffered: true});
 """
 
-BRING = """async (element) => {
+SCROLL_TO = """async (element) => {
   const middle = () => {
     const {x, y, height} = element.getBoundingClientRect();
     return [x, y, Math.abs(y + height / 2 - innerHeight / 2)];
@@ -41,15 +41,16 @@ BRING = """async (element) => {
     last = `${place}`;
   }
 }"""
-"""A strip of panels snaps to the nearest one, a touch is led to what was painted last, and a smooth
-scroll that was under way, as by a key on an element far away, goes on after the jump."""
+"""Wait until the element is at rest: a strip of panels snaps to the nearest one, a touch goes to
+the element painted last, and a smooth scroll under way (after a key on a distant element) goes on
+after the jump."""
 
 FOLLOW = """(url) => {
   if (location.href === url) document.getElementById('main').focus();
   else [...document.querySelectorAll('a[href]')].find((link) => link.href === url).click();
 }"""
 
-OFFER = """(url) => {
+ADD_LINK = """(url) => {
   const link = document.createElement('a');
   link.href = url;
   document.getElementById('main').append(link);
@@ -66,31 +67,32 @@ SETTLE = """async (figure) => {
       if (effect === 'play') play.click();
     }
     await frame();
-    await frame(); // what moves has moved
-    await runtime.call('forget', {figure: ''}, () => -1); // answered after all that waits, as pulls
+    await frame(); // motion due in this frame is done
+    await runtime.call('forget', {figure: ''}, () => -1); // answered after all requests, as drags
     const still = figure.rests && figure.dataset.frames === frames;
     quiet = still && !('moving' in figure.dataset) ? quiet + 1 : 0;
     frames = figure.dataset.frames;
   }
 }"""
 
-PUT_BACK = """async (figure) => {
+RESTORE = """async (figure) => {
   const {moveControls} = (await customElements.whenDefined('simulation-figure')).inside;
   const {controls, values} = JSON.parse(figure.querySelector('script.schema').textContent);
   moveControls(figure.querySelector('form.controls'), controls, values, 'change');
 }"""
 
-SHOWN = """async (figure) => ({
+CONTENT = """async (figure) => ({
   pixels: await Promise.all([...figure.querySelectorAll('canvas.live, img.still')].map(
-   async (shown) => {
-    if (shown instanceof HTMLImageElement) {
-      shown.loading = 'eager'; // far down the page it has not been fetched yet
-      await shown.decode();
+   async (picture) => {
+    if (picture instanceof HTMLImageElement) {
+      picture.loading = 'eager'; // far down the page it has not been fetched yet
+      await picture.decode();
     }
-    const canvas = shown instanceof HTMLCanvasElement ? shown : document.createElement('canvas');
-    if (canvas !== shown) {
-      [canvas.width, canvas.height] = [shown.naturalWidth, shown.naturalHeight];
-      canvas.getContext('2d').drawImage(shown, 0, 0);
+    const isCanvas = picture instanceof HTMLCanvasElement;
+    const canvas = isCanvas ? picture : document.createElement('canvas');
+    if (!isCanvas) {
+      [canvas.width, canvas.height] = [picture.naturalWidth, picture.naturalHeight];
+      canvas.getContext('2d').drawImage(picture, 0, 0);
     }
     const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     let sum = 0;
@@ -112,7 +114,7 @@ TRY_CONTROLS = """async (figure, controls) => {
     choice(menu) { menu.selectedIndex = (menu.selectedIndex + 1) % menu.options.length; },
     toggle(box) { box.checked = !box.checked; },
   };
-  const told = [];
+  const results = [];
   for (const {name, kind, effect} of controls) {
     const element = figure.querySelector(`.controls [name="${name}"]`);
     for (let fold = element; (fold = fold.parentElement.closest('details')); ) fold.open = true;
@@ -131,31 +133,31 @@ TRY_CONTROLS = """async (figure, controls) => {
         }
       } else {
         put[kind](element, attempt);
-        for (const told of ['input', 'change']) {
-          element.dispatchEvent(new Event(told, {bubbles: true}));
+        for (const type of ['input', 'change']) {
+          element.dispatchEvent(new Event(type, {bubbles: true}));
         }
       }
       do await frame(); while (!figure.rests);
     }
-    told.push({
+    results.push({
       name, hit: element.contains(top), cover: top?.outerHTML.slice(0, 99), focused,
       frames: count() - frames,
     });
   }
-  return told;
+  return results;
 }"""
-"""Moves each control until there is a frame; tells what became of it. A script serves every
-engine alike."""
+"""Move each control until a frame is painted, and return for each whether it can be clicked and
+focused, and how many frames it made. Scripts move controls alike in all browsers."""
 
-PULLED = """async () => {
+AWAIT_PULLS = """async () => {
   const {inside} = await customElements.whenDefined('simulation-figure');
   const runtime = inside.sharedRuntime();
   for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
 }"""
-"""Wait until all pulls are answered: one that is asked, the one that waits for it, and the last
-word on them; what is as urgent as they are is asked in its turn."""
+"""Wait until all requests of a drag are answered: the one under way, the one that waits for it, and
+the final one. Requests of equal priority are answered in order."""
 
-GRASP = """async (grip) => {
+READ_HANDLE = """async (grip) => {
   const figure = grip.closest('simulation-figure');
   await (PULLED)();
   while (!figure.rests) await new Promise(requestAnimationFrame);
@@ -169,21 +171,21 @@ GRASP = """async (grip) => {
       const words = `${box.ariaLabel} x ${share('--x')}, y ${share('--y')}`;
       return {value: control.value, words};
     }
-    const said = control.selectedOptions
+    const value = control.selectedOptions
       ? control.selectedOptions[0].text.trim()
       : box.querySelector('.control-value').textContent;
     const label = box.querySelector('label').textContent.trim();
-    return {value: control.value, words: `${label} ${said}`};
+    return {value: control.value, words: `${label} ${value}`};
   });
   return {
-    shown: grip.checkVisibility() && width > 0,
+    visible: grip.checkVisibility() && width > 0,
     x: x + width / 2,
     y: y + height / 2,
     values: driven.map(({value}) => value).join(' '),
     words: driven.map(({words}) => words).join(', '),
-    told: grip.getAttribute('aria-valuetext'),
+    announced: grip.getAttribute('aria-valuetext'),
     frames: Number(figure.dataset.frames),
   };
-}""".replace("PULLED", PULLED)
-"""A handle once nothing moves it, in the middle of the window; what the page's controls say of what
-it drives."""
+}""".replace("PULLED", AWAIT_PULLS)
+"""Read a handle at rest in the middle of the window: its place, the text announced for it, and the
+values and texts of the controls that it moves."""

@@ -1,7 +1,6 @@
-"""What a platform does with an item of QTI 2.1: the score of an answer, and the replies it shows.
+"""The response processing of a QTI 2.1 item: the score of an answer and the replies shown.
 
-The rules of response processing that the exported questions use, after the information model of
-QTI 2.1, section 8.
+It covers the rules that exported questions use (information model of QTI 2.1, section 8).
 """
 
 from dataclasses import dataclass, field
@@ -24,8 +23,8 @@ class Session:
         return self.variables["SCORE"]
 
     @property
-    def shown(self) -> list[str]:
-        """The replies, in the order of the item."""
+    def replies(self) -> list[str]:
+        """The texts of the chosen replies, in the order of the item."""
         chosen = self.variables.get("FEEDBACK")
         names = chosen if isinstance(chosen, list) else [chosen]
         return [
@@ -35,8 +34,8 @@ class Session:
         ]
 
 
-def answered(item: str, answer: Value) -> Session:
-    """After ``answer`` was given to the item, a file of XML."""
+def session_after(item: str, answer: Value) -> Session:
+    """The session after ``answer`` was given to ``item``, the text of an XML file."""
     session = Session(ElementTree.fromstring(item), {"RESPONSE": answer, "SCORE": 0.0})
     for rule in session.item.findall(f"{QTI}responseProcessing/*"):
         _apply(rule, session)

@@ -1,4 +1,4 @@
-"""The README's picture, or one of any built page: ``make screenshot``."""
+"""The screenshot in the README, or one of any built page: ``make screenshot``."""
 
 import sys
 
@@ -9,7 +9,7 @@ from support.static_server import serving
 
 
 def readme_picture(reader: Reader) -> None:
-    """What a reader sees after dragging k₁ of the first figure into a barrel."""
+    """The first figure after dragging k₁ to a barrel distortion."""
     reader.open("lens-distortion/")
     figure = reader.figure("lens-distortion")
     with reader.next_frame(figure):

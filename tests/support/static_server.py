@@ -1,4 +1,4 @@
-"""A static file server for tests: it can damage files on their way, and send further headers."""
+"""A static file server for tests, which can damage files and send further headers."""
 
 import sys
 import threading
@@ -23,30 +23,30 @@ TYPES = {
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """How a file is damaged on its way."""
+    """A fault in the reply for a file."""
 
     change: Callable[[bytes], bytes] = bytes
     status: int = 200
     media_type: str = ""
-    """Another than the right one."""
+    """Sent in place of the right one, if not empty."""
     cut: bool = False
-    """Whether the connection breaks off in the middle."""
-    late_s: float = 0
+    """Whether the connection breaks off in the middle of the file."""
+    delay_s: float = 0
 
 
 def half(content: bytes) -> bytes:
-    """Half of it, and an open bracket, since half of a script may be a script."""
+    """The first half and an open bracket, since half of a script may be a valid script."""
     return content[: len(content) // 2] + b"("
 
 
 def changed(content: bytes) -> bytes:
-    """The same but for one bit."""
+    """The content with one bit flipped."""
     middle = len(content) // 2
     return content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
 
 
 def login(_: bytes) -> bytes:
-    """A network's answer before one has signed in."""
+    """The reply of a network that requires a sign-in first."""
     return b"<!DOCTYPE html><title>Sign in to this network</title>"
 
 
@@ -61,7 +61,7 @@ FAULTS = {
 
 
 class QuietServer(ThreadingHTTPServer):
-    """It ignores the connections that a browser drops when it leaves a page."""
+    """A server that ignores connections closed by a browser when it leaves a page."""
 
     daemon_threads = True
 
@@ -71,17 +71,16 @@ class QuietServer(ThreadingHTTPServer):
 
 
 class StaticServer:
-    """The folder ``root`` at ``url``, sent with ``headers`` beside the usual ones; ``damaged`` maps
-    ends of paths to other bytes, ``faults`` to what else is wrong with them. ``uncached``, browsers
-    keep nothing of it.
+    """Serves the folder ``root`` at ``url`` with ``headers`` beside the usual ones.
 
-    While it is ``gone``, nobody answers.
+    ``damaged`` maps ends of paths to bytes sent instead of the file, ``faults`` to faults of the
+    reply. With ``uncached``, browsers may cache nothing; while ``offline``, no request is answered.
     """
 
     def __init__(self, root: Path, headers: Mapping[str, str]) -> None:
         self.root = root
         self.headers = headers
-        self.gone = False
+        self.offline = False
         self.uncached = False
         self.damaged: dict[str, bytes] = {}
         self.faults: dict[str, Fault] = {}
@@ -101,19 +100,19 @@ class Handler(SimpleHTTPRequestHandler):
 
     def do_GET(self) -> None:
         self.directory = str(self.owner.root)
-        if self.owner.gone:
+        if self.owner.offline:
             self.close_connection = True
             return
         path = self.path.partition("?")[0]
         for ending, content in self.owner.damaged.items():
             if path.endswith(ending):
-                self.hand_out(path, content, Fault())
+                self.send(path, content, Fault())
                 return
         for ending, fault in self.owner.faults.items():
             if path.endswith(ending):
                 file = self.owner.root / unquote(path.removeprefix("/book/"))
                 file = file / "index.html" if file.is_dir() else file
-                self.hand_out(path, fault.change(file.read_bytes()), fault)
+                self.send(path, fault.change(file.read_bytes()), fault)
                 return
         if not path.startswith("/book/"):
             self.send_error(404)
@@ -121,8 +120,8 @@ class Handler(SimpleHTTPRequestHandler):
         self.path = self.path.removeprefix("/book")
         super().do_GET()
 
-    def hand_out(self, path: str, content: bytes, fault: Fault) -> None:
-        time.sleep(fault.late_s)
+    def send(self, path: str, content: bytes, fault: Fault) -> None:
+        time.sleep(fault.delay_s)
         self.send_response(fault.status)
         self.send_header("Content-Type", fault.media_type or self.guess_type(path))
         self.send_header("Content-Length", str(len(content)))
@@ -143,7 +142,7 @@ class Handler(SimpleHTTPRequestHandler):
 
 @contextmanager
 def serving(root: Path, headers: Mapping[str, str] | None = None) -> Iterator[StaticServer]:
-    """The folder's server, which answers until the end."""
+    """Serve the folder while the block runs."""
     server = StaticServer(root, headers or {})
     thread = threading.Thread(target=server.server.serve_forever, args=(0.01,), daemon=True)
     thread.start()

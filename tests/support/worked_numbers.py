@@ -1,8 +1,7 @@
-"""Numbers that a chapter works out in its own text, and where they stand in its source.
+"""Numbers in the text of a chapter, computed again, and the phrases in which they occur.
 
 A chapter may have modules ``tests/content/numbers_NN….py``: ``CHAPTER`` is its file, and its
-generators are calculations, which compute again with the models and yield the phrases in which
-the results stand.
+generators are calculations, which compute with the models and yield the phrases with the results.
 """
 
 import re
@@ -14,7 +13,7 @@ type Phrases = Iterator[str]
 type Calculation = Callable[[], Phrases]
 
 SLOW: set[Calculation] = set()
-"""Calculations of more than a few seconds, which `make test-deep` runs."""
+"""Calculations that take more than a few seconds; `make test-deep` runs them."""
 
 
 def slow(calculation: Calculation) -> Calculation:
@@ -24,8 +23,8 @@ def slow(calculation: Calculation) -> Calculation:
 
 
 def source(chapter: str) -> str:
-    """The chapter as written; no-break spaces count as spaces, links as their words, symbols have
-    no colour, and citations are left out."""
+    """The source of a chapter with plain spaces, the texts of links, and symbols without colour;
+    without citations."""
     text = (CONTENT / f"{chapter}.md").read_text(encoding="utf-8").replace("\u00a0", " ")
     text = re.sub(r" ?\{cite\}`[^`]*`", "", text)
     text = re.sub(r"\{calc\}`[^`]*`|\\calc\{[^{}]*\}", "0", text)

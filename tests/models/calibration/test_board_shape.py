@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 import pytest
-from support.bent_boards import LENSES, SIDE_MM, SIZE, bent_views
+from support.chequerboards import BENT_SIZE, BOARD_WORLDS, SIDE_MM, bent_views
 
 from simulations.models.arrays import Floats
 from simulations.models.calibration.board_shape import SHAPES, Shape, shape_of
@@ -31,8 +31,8 @@ from simulations.models.chequerboard.board import Board
     ],
 )
 def test_board_shape_is_found_and_fits_as_well_as_freed_corners(world: str, shape: str) -> None:
-    camera, views = bent_views(LENSES[world], np.random.default_rng(11))
-    flat = compare(views, SIZE)
+    camera, views = bent_views(BOARD_WORLDS[world], np.random.default_rng(11))
+    flat = compare(views, BENT_SIZE)
     chosen = best_shape(shapes(views, flat))
     assert chosen.shape == shape
     trial = supported(with_shape(views, flat, chosen))
@@ -41,7 +41,7 @@ def test_board_shape_is_found_and_fits_as_well_as_freed_corners(world: str, shap
     board = [np.c_[b, np.zeros(len(b))].astype(np.float32) for b in views.board]
     found = [p.astype(np.float32) for p in views.pixels]
     rms, K, *_ = cv2.calibrateCameraRO(
-        board, found, SIZE, 8, None, None, flags=cv2.CALIB_FIX_K3, criteria=(3, 200, 1e-12)
+        board, found, BENT_SIZE, 8, None, None, flags=cv2.CALIB_FIX_K3, criteria=(3, 200, 1e-12)
     )
     error = trial.uncertainty.errors["fx"]
     assert trial.fit.camera.fx == pytest.approx(camera.fx, abs=3.0 * error)
@@ -53,8 +53,8 @@ def test_board_shape_is_found_and_fits_as_well_as_freed_corners(world: str, shap
 def test_sag_and_aspect_are_measured_and_a_stretched_picture_is_noted() -> None:
     rng = np.random.default_rng(3)
     for world, height_mm, aspect in (("sag of 2 mm", None, 1.0), ("squares 2 % too high", 0, 1.02)):
-        _, views = bent_views(LENSES[world], rng)
-        flat = compare(views, SIZE)
+        _, views = bent_views(BOARD_WORLDS[world], rng)
+        flat = compare(views, BENT_SIZE)
         board = measure_shape(views, best_shape(shapes(views, flat)))
         assert board.aspect == pytest.approx(aspect, abs=4.0 * board.aspect_error)
         if height_mm is None:
@@ -71,7 +71,7 @@ STEP = 1e-6
 def test_shape_derivatives_agree_with_differences_of_residuals(name: str) -> None:
     camera, views = bent_views({}, np.random.default_rng(1), count=3)
     start = shape_of(name, views)
-    poses = sitting(camera, SIZE, 3, Board(), 2).poses
+    poses = sitting(camera, BENT_SIZE, 3, Board(), 2).poses
     values = np.random.default_rng(0).normal(0.0, 0.02, len(start.terms))
 
     def at(step: np.ndarray) -> Poses:

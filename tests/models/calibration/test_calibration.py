@@ -3,7 +3,7 @@
 import cv2
 import numpy as np
 import pytest
-from support.sittings import SIZE, TRUTH, calibrate, photographs
+from support.chequerboards import SIZE, TRUTH, calibrate, photographs
 
 from simulations.models.calibration.bundle_adjustment import (
     Linearised,

@@ -7,7 +7,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 import pytest
-from support.sittings import SIZE, TRUTH, photographs
+from support.chequerboards import SIZE, TRUTH, photographs
 
 from simulations.models.calibration.camera import Camera
 from simulations.models.calibration.exports import (

@@ -6,7 +6,8 @@ import xml.etree.ElementTree as ET
 import cv2
 import numpy as np
 import pytest
-from support.bent_boards import BOARD, SIZE
+from support.chequerboards import BENT_SIZE as SIZE
+from support.chequerboards import BOARD
 
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera
 from simulations.models.calibration.exports import (
@@ -73,7 +74,10 @@ def test_files_describe_the_fisheye() -> None:
     lens = ET.fromstring(lensfun_xml(report)).find("lens")
     assert lens is not None
     assert lens.findtext("type") == "fisheye"
-    (k1, k2), unit = lensfun_poly5(truth.camera, SIZE), half_side_px(SIZE) / truth.camera.fx
+    (k1, k2), unit = (
+        lensfun_poly5(truth.camera, SIZE),
+        half_side_px(SIZE) / truth.camera.fx,
+    )
     angle = np.linspace(0.1, 1.4, 9)
     theirs = 1 + k1 * (angle / unit) ** 2 + k2 * (angle / unit) ** 4
     assert theirs == pytest.approx(radial_profile.scale(LENS.radial, angle**2), abs=1e-3)

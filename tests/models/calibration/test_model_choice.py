@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.sittings import SIZE, TRUTH, calibrate, photographs
+from support.chequerboards import SIZE, TRUTH, calibrate, photographs
 
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import refine

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import skimage.data
 from PIL import Image
-from support.boards import facing_board
+from support.chequerboards import facing_board
 
 from simulations.models.chequerboard.board import Board
 from simulations.models.chequerboard.board_search import NoBoardError

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import scipy.constants
 from scipy.interpolate import CubicSpline
-from support.oracle_spectra import TABULATED, illuminant, oracle, sampled, tabulated_xy
+from support.oracle_spectra import TABULATED, illuminant, on_grid, oracle, tabulated_xy
 
 from simulations.models.arrays import Floats
 from simulations.models.color import illuminants, observer, spectra, surfaces
@@ -33,7 +33,7 @@ def test_glowing_body_follows_plancks_law(kelvin: float) -> None:
 def test_daylight_agrees_with_the_cie(kelvin: float) -> None:
     xy = oracle.temperature.CCT_to_xy_CIE_D(kelvin)
     np.testing.assert_allclose(illuminants.daylight_xy(kelvin), xy, atol=1e-9)
-    theirs = sampled(oracle.sd_CIE_illuminant_D_series(xy, M1_M2_rounding=False))
+    theirs = on_grid(oracle.sd_CIE_illuminant_D_series(xy, M1_M2_rounding=False))
     at_560 = theirs[GRID == 560]
     np.testing.assert_allclose(illuminants.daylight(kelvin), theirs / at_560, atol=2e-3)
 
@@ -64,7 +64,7 @@ def test_chart_is_within_a_third_delta_e_of_its_measurements() -> None:
     names = {"sky": "blue sky", "white": "white 9.5 (.05 D)"}
     measured = oracle.SDS_COLOURCHECKERS["ColorChecker N Ohta"]
     for name in surfaces.CHART:
-        theirs = sampled(measured[names.get(name, name.replace("-", " "))])
+        theirs = on_grid(measured[names.get(name, name.replace("-", " "))])
         np.testing.assert_allclose(surfaces.CHART[name], theirs[::5], atol=6e-4, err_msg=name)
         pair = observer.tristimulus(np.stack([surfaces.chart_patch(name), theirs]) * D65, D65)
         assert lab_distance(*xyz_to_lab(pair)) < 0.3, name

@@ -9,9 +9,9 @@ from support.drawn_lines import (
     FOCAL,
     HEIGHT,
     SIZE,
-    drawn,
-    raised,
-    seen,
+    above,
+    image_of,
+    lines_along_axes,
 )
 
 from simulations.models.arrays import Floats
@@ -40,7 +40,7 @@ def log_focal(view: SingleView) -> float:
 
 @pytest.mark.parametrize("counts", [(4, 4, 4), (2, 2, 0), (2, 0, 2), (0, 3, 2), (2, 2, 1)])
 def test_lines_without_noise_give_the_true_camera(counts: tuple[int, int, int]) -> None:
-    view = fit_view(*drawn(POSE, np.random.default_rng(1), counts), SIZE, EXACT)
+    view = fit_view(*lines_along_axes(POSE, np.random.default_rng(1), counts), SIZE, EXACT)
     assert view.focal_px == pytest.approx(FOCAL, rel=1e-6)
     np.testing.assert_allclose(view.R, POSE[:3, :3], atol=1e-6)
     assert (view.pitch, view.roll) == pytest.approx((0.3, 0.05), abs=1e-6)
@@ -49,7 +49,7 @@ def test_lines_without_noise_give_the_true_camera(counts: tuple[int, int, int]) 
 
 def test_three_directions_also_give_the_principal_point() -> None:
     shifted = intrinsics(FOCAL, (450.0, 260.0))
-    ends, axes = drawn(POSE, np.random.default_rng(1), K=shifted)
+    ends, axes = lines_along_axes(POSE, np.random.default_rng(1), K=shifted)
     view = fit_view(ends, axes, SIZE, EXACT, find_centre=True)
     assert view.centre == pytest.approx((450.0, 260.0), abs=1e-4)
     assert view.focal_px == pytest.approx(FOCAL, rel=1e-6)
@@ -57,7 +57,7 @@ def test_three_directions_also_give_the_principal_point() -> None:
 
 def test_focal_length_from_two_directions_agrees_with_the_formula() -> None:
     rng = np.random.default_rng(4)
-    ends, axes = drawn(POSE, rng, (4, 4, 0))
+    ends, axes = lines_along_axes(POSE, rng, (4, 4, 0))
     ends = ends + rng.normal(0, 0.1, ends.shape)
     first, second = (fit_vanishing_point(ends[axes == axis])[0] for axis in (0, 1))
     view = fit_view(ends, axes, SIZE, 0.1)
@@ -73,7 +73,7 @@ def test_focal_length_from_two_directions_agrees_with_the_formula() -> None:
 @pytest.mark.parametrize("seed", range(4))
 def test_one_vanishing_point_leaves_the_focal_length_undetermined(seed: int) -> None:
     rng = np.random.default_rng(seed)
-    ends, axes = drawn(pose_above_ground(1.5, 0.0, 0.0), rng)
+    ends, axes = lines_along_axes(pose_above_ground(1.5, 0.0, 0.0), rng)
     view = fit_view(ends + rng.normal(0, 1, ends.shape), axes, SIZE)
     assert view.spread(log_focal) > 0.5
     away = view.vanishing[1]
@@ -81,25 +81,25 @@ def test_one_vanishing_point_leaves_the_focal_length_undetermined(seed: int) -> 
 
 
 def test_two_directions_with_one_vanishing_point_are_refused() -> None:
-    ends, _ = drawn(POSE, np.random.default_rng(1), (2, 0, 0))
+    ends, _ = lines_along_axes(POSE, np.random.default_rng(1), (2, 0, 0))
     with pytest.raises(ValueError, match="apart"):
         fit_view([*ends, *ends], [0, 0, 1, 1], SIZE)
 
 
 OTHER_POSE = pose_above_ground(HEIGHT, 0.6, 0.3, 0.05)
-VIEW = fit_view(*drawn(OTHER_POSE, np.random.default_rng(1)), SIZE, 1e-3)
+VIEW = fit_view(*lines_along_axes(OTHER_POSE, np.random.default_rng(1)), SIZE, 1e-3)
 
 
 def stretch(start: Floats, end: Floats, pose: Floats = OTHER_POSE) -> Stretch:
     kind = "above" if end[2] - start[2] > 1e-9 else "within"
-    return Stretch(seen(np.array([start, end]), pose), kind)
+    return Stretch(image_of(np.array([start, end]), pose), kind)
 
 
 A, B, C = np.array([[1.0, 3.0, 0.0], [3.0, 4.0, 0.0], [2.0, 6.0, 0.0]])
 
 
 def test_known_length_on_the_floor_gives_all_other_lengths() -> None:
-    known, others = stretch(A, B), (stretch(A, C), stretch(C, raised(C, 1.8)))
+    known, others = stretch(A, B), (stretch(A, C), stretch(C, above(C, 1.8)))
     found = measured(VIEW, known, math.sqrt(5.0), others)
     np.testing.assert_allclose(found.metres, (math.sqrt(10.0), 1.8), rtol=1e-5)
     assert found.distance == pytest.approx(HEIGHT, rel=1e-5)
@@ -112,7 +112,7 @@ def test_known_length_on_a_wall_gives_all_other_lengths(
     corner = np.array([2.5, 5.0, 0.3])
     diagonal, out = np.array(across), np.eye(3)[normal]
     ends = [(corner, corner + diagonal), (corner, corner + 0.5 * diagonal), (corner, corner - out)]
-    known, other, shelf = (seen(np.array(pair), OTHER_POSE) for pair in ends)
+    known, other, shelf = (image_of(np.array(pair), OTHER_POSE) for pair in ends)
     found = measured(
         VIEW,
         Stretch(known),

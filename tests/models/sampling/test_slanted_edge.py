@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 from scipy.ndimage import gaussian_filter
 from scipy.special import erf, j1
-from support.edges import gaussian_edge, gaussian_half, grain
+from support.charts import gaussian_edge, gaussian_half, grain
 
 from simulations.models.arrays import Floats, centred
 from simulations.models.color.cie import luminance

@@ -12,8 +12,8 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.optimize import minimize
 from scipy.stats import pearsonr
+from support.oracle_spectra import on_grid
 from support.oracle_spectra import oracle as measurements
-from support.oracle_spectra import sampled
 
 from simulations.models.arrays import Floats
 from simulations.models.color.illuminants import D65_K, daylight, planck
@@ -118,7 +118,7 @@ PATCHES = np.stack([chart_patch(name) for name in CHART])
 
 
 def test_camera_curves_agree_with_the_measured_ones() -> None:
-    measured = sampled(measurements.MSDS_CAMERA_SENSITIVITIES["Nikon 5100 (NPL)"])
+    measured = on_grid(measurements.MSDS_CAMERA_SENSITIVITIES["Nikon 5100 (NPL)"])
     off = CURVES - measured
     assert np.abs(off).max() < 0.05
     assert (np.sqrt(np.mean(off**2, axis=0)) < [0.021, 0.0137, 0.0071]).all()

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from support.flat_fields import DSNU_E, PRNU, SENSOR, estimate_of, pairs_of
+from support.charts import DSNU_E, PRNU, SENSOR, estimate_of, pairs_of
 
 from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import Sensor

@@ -1,4 +1,4 @@
-"""Further browsers for the tests, where they are installed."""
+"""Firefox and WebKitGTK for the tests, if they are installed."""
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
@@ -31,11 +31,11 @@ ENGINES: Mapping[str, Callable[[Path], AbstractContextManager[Engine] | None]] =
     "Firefox": _firefox,
     "WebKitGTK": _webkit,
 }
-"""How to open one with an empty folder for its profile; None where it is not installed."""
+"""Each opens a browser with an empty folder as its profile; None if it is not installed."""
 
 
 def open_engine(name: str, folder: Path) -> AbstractContextManager[Engine]:
-    """Open it, or skip the test."""
+    """Open the browser, or skip the test if it is not installed."""
     opened = ENGINES[name](folder)
     if opened is None:
         pytest.skip(f"{name}: {HOW_TO}")
@@ -51,13 +51,13 @@ class Tab:
     def open(self, url: str) -> None:
         self._page.goto(url)
 
-    def ask(self, expression: str, /, *arguments: Any) -> Any:
+    def evaluate(self, expression: str, /, *arguments: Any) -> Any:
         return self._page.evaluate(f"(given) => ({expression})(...given)", arguments)
 
 
 @contextmanager
 def window(name: str, chromium: Browser, folder: Path) -> Iterator[Window]:
-    """A window of the browser of that name with a fresh profile; skip the test without one."""
+    """A window with a fresh profile of the named browser; skip the test if it is not installed."""
     if name == "Chromium":
         with chromium.new_context(service_workers="block") as context:
             yield Tab(context.new_page())

@@ -1,4 +1,4 @@
-"""A browser of any make: pages, scripts, pointers and keys."""
+"""The interface to a browser of any make: pages, scripts, pointers and keys."""
 
 import json
 import time
@@ -19,37 +19,37 @@ class Window(Protocol):
     def open(self, url: str) -> None:
         """Load a page, and wait until it has loaded."""
 
-    def ask(self, expression: str, /, *arguments: Any) -> Any:
-        """The JSON that a function answers in the page, or that its promise holds."""
+    def evaluate(self, expression: str, /, *arguments: Any) -> Any:
+        """The JSON result of a function in the page, or of its promise."""
 
 
 class Engine(Window, Protocol):
-    """A window with a fresh profile, led by WebDriver."""
+    """A window with a fresh profile, controlled by WebDriver."""
 
     def perform(self, sources: Sequence[Mapping[str, Any]]) -> None:
         """Move pointers and press keys."""
 
-    def complaints(self) -> list[str]:
-        """Errors in the browser's console, which include all that its policy refuses."""
+    def errors(self) -> list[str]:
+        """Errors in the browser's console, including violations of the content policy."""
 
 
 def wait_for(engine: Window, expression: str, /, *arguments: Any) -> None:
-    """Wait until a function of the page answers with what is true; raises `TimeoutError`."""
+    """Wait until a function in the page returns a true value; raises `TimeoutError`."""
     end = time.monotonic() + 2 * limit_s()
-    while not engine.ask(expression, *arguments):
+    while not engine.evaluate(expression, *arguments):
         if time.monotonic() > end:
             raise TimeoutError(f"{expression} {json.dumps(arguments)}")
         time.sleep(0.05)
 
 
 def press(engine: Engine, *keys: str) -> None:
-    """Press keys one after another, each let go before the next."""
+    """Press and release keys one after another."""
     steps = [{"type": kind, "value": key} for key in keys for kind in ("keyDown", "keyUp")]
     engine.perform([{"type": "key", "id": "keyboard", "actions": steps}])
 
 
 def drag(engine: Engine, *places: tuple[float, float]) -> None:
-    """Press at the first of these places of the window, and let go at the last."""
+    """Press at the first of these places in the window, and release at the last."""
     moves = [_move(place) for place in places]
     down, up = ({"type": kind, "button": LEFT_BUTTON} for kind in ("pointerDown", "pointerUp"))
     _point(engine, [moves[0], down, *moves[1:], up])
@@ -70,6 +70,6 @@ def _point(engine: Engine, steps: Sequence[Action]) -> None:
 
 
 def call(expression: str, arguments: Sequence[Any]) -> str:
-    """A script that calls a function and answers with JSON."""
+    """A script that calls a function and returns its result as JSON."""
     given = ", ".join(map(json.dumps, arguments))
     return f"(async () => JSON.stringify(await ({expression})({given})) ?? 'null')()"

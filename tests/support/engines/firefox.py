@@ -1,4 +1,4 @@
-"""Firefox by WebDriver BiDi, which it speaks itself: no driver stands between."""
+"""Firefox by WebDriver BiDi, which it implements itself, without a driver."""
 
 import json
 import shutil
@@ -24,8 +24,8 @@ PREFERENCES = {
     "toolkit.telemetry.enabled": False,
 }
 
-HALF_ARRIVED = "Invalid markup: Incorrect number of children"
-"""Written of each formula whose end comes later than its beginning."""
+INCOMPLETE_FORMULA = "Invalid markup: Incorrect number of children"
+"""Logged for each formula whose end arrives later than its beginning."""
 
 
 def find_firefox() -> Path | None:
@@ -38,7 +38,7 @@ class Firefox:
     def __init__(self, connection: ClientConnection) -> None:
         self._connection = connection
         self._last = 0
-        self._complaints: list[str] = []
+        self._errors: list[str] = []
         self._send("session.new", capabilities={})
         self._send("session.subscribe", events=["log.entryAdded"])
         self._context = self._send("browsingContext.getTree")["contexts"][0]["context"]
@@ -51,7 +51,7 @@ class Firefox:
     def open(self, url: str) -> None:
         self._send("browsingContext.navigate", context=self._context, url=url, wait="complete")
 
-    def ask(self, expression: str, /, *arguments: Any) -> Any:
+    def evaluate(self, expression: str, /, *arguments: Any) -> Any:
         answer = self._send(
             "script.evaluate",
             expression=call(expression, arguments),
@@ -65,9 +65,9 @@ class Firefox:
     def perform(self, sources: Sequence[Mapping[str, Any]]) -> None:
         self._send("input.performActions", context=self._context, actions=sources)
 
-    def complaints(self) -> list[str]:
-        self._send("session.status")  # what was written before has come before the answer
-        return self._complaints
+    def errors(self) -> list[str]:
+        self._send("session.status")  # earlier messages arrive before this answer
+        return self._errors
 
     def _send(self, method: str, **parameters: Any) -> Any:
         self._last += 1
@@ -84,13 +84,13 @@ class Firefox:
                 return message["result"]
 
     def _note(self, entry: Mapping[str, Any]) -> None:
-        if entry["level"] == "error" and not entry["text"].startswith(HALF_ARRIVED):
-            self._complaints.append(entry["text"])
+        if entry["level"] == "error" and not entry["text"].startswith(INCOMPLETE_FORMULA):
+            self._errors.append(entry["text"])
 
 
 @contextmanager
 def open_firefox(binary: Path, profile: Path) -> Iterator[Firefox]:
-    """Start it with this empty folder as its profile."""
+    """Start Firefox with this empty folder as its profile."""
     lines = (f"user_pref({json.dumps(n)}, {json.dumps(v)});\n" for n, v in PREFERENCES.items())
     (profile / "user.js").write_text("".join(lines), encoding="utf-8")
     command = [str(binary), "--headless", "--no-remote", "--profile", str(profile)]
@@ -104,7 +104,7 @@ def open_firefox(binary: Path, profile: Path) -> Iterator[Firefox]:
 
 
 def _address(profile: Path) -> str:
-    """Where it listens, which it writes into its profile; raises `TimeoutError`."""
+    """The address that it listens at, which it writes into its profile; raises `TimeoutError`."""
     end = time.monotonic() + limit_s()
     while time.monotonic() < end:
         with suppress(FileNotFoundError, ValueError):  # not there yet, or not yet whole

@@ -1,4 +1,4 @@
-"""Find the further browsers for the tests, or get them: ``python -m support.engines.install``."""
+"""Find Firefox and WebKitGTK, or install them: ``python -m support.engines.install``."""
 
 from support.chromium import get, packaged
 from support.engines import HOW_TO, webkit

@@ -1,4 +1,4 @@
-"""WebKitGTK by WebDriver: its driver, a window, and a screen in memory."""
+"""WebKitGTK by WebDriver: the driver, a window, and a virtual screen."""
 
 import json
 import os
@@ -22,21 +22,21 @@ PACKAGES = ("webkit2gtk-driver", "gir1.2-webkit2-4.1", "python3-gi", "xvfb")
 """Packages of Debian."""
 DRIVER, SCREEN, PYTHON = "WebKitWebDriver", "Xvfb", "/usr/bin/python3"
 WINDOW = Path(__file__).with_name("webkit_window.py")
-KNOWS = "import gi; gi.require_version('WebKit2', '4.1'); gi.require_version('Gtk', '3.0')"
+IMPORTS_WEBKIT = "import gi; gi.require_version('WebKit2', '4.1'); gi.require_version('Gtk', '3.0')"
 CONSOLE = "console.txt"
 CANCELLED = re.compile(
     r"Fetch API cannot load http://127\.0\.0\.1:\S+ due to access control checks"
 )
-"""Written of a request to the page's own host, which no such check can refuse, when the page is
-left before the answer."""
+"""Logged when a page is left before a request to its own host is answered, though no access check
+applies to its own host."""
 
 
 def find_webkit() -> Path | None:
-    """Its driver, where there are a screen and a window for it too."""
+    """The driver, if the virtual screen and the library for the window are installed too."""
     found = shutil.which(DRIVER)
     if not (found and shutil.which(SCREEN) and Path(PYTHON).exists()):
         return None
-    window = subprocess.run([PYTHON, "-c", KNOWS], stderr=subprocess.DEVNULL, check=False)
+    window = subprocess.run([PYTHON, "-c", IMPORTS_WEBKIT], stderr=subprocess.DEVNULL, check=False)
     return Path(found) if window.returncode == 0 else None
 
 
@@ -56,14 +56,14 @@ class WebKit:
     def open(self, url: str) -> None:
         self._send("/url", url=url)
 
-    def ask(self, expression: str, /, *arguments: Any) -> Any:
+    def evaluate(self, expression: str, /, *arguments: Any) -> Any:
         script = f"return {call(expression, arguments)}"
         return json.loads(self._send("/execute/sync", script=script, args=[]))
 
     def perform(self, sources: Sequence[Mapping[str, Any]]) -> None:
         self._send("/actions", actions=sources)
 
-    def complaints(self) -> list[str]:
+    def errors(self) -> list[str]:
         written = self._console.read_text(encoding="utf-8", errors="replace").splitlines()
         errors = [line for line in written if "CONSOLE" in line and " ERROR " in line]
         return [line for line in errors if not CANCELLED.search(line)]
@@ -78,13 +78,13 @@ class WebKit:
             with urlopen(request, timeout=3 * limit_s()) as reply:
                 return json.load(reply)["value"]
         except HTTPError as error:
-            told = json.load(error)["value"]
-            raise RuntimeError(f"{command}: {told['error']}: {told['message']}") from error
+            answer = json.load(error)["value"]
+            raise RuntimeError(f"{command}: {answer['error']}: {answer['message']}") from error
 
 
 @contextmanager
 def open_webkit(driver: Path, profile: Path) -> Iterator[WebKit]:
-    """Start it with this empty folder as its profile."""
+    """Start WebKitGTK with this empty folder as its profile."""
     port = _free_port()
     command = [str(driver), f"--port={port}"]
     with _screen() as display, (profile / CONSOLE).open("w", encoding="utf-8") as console:
@@ -106,7 +106,7 @@ def open_webkit(driver: Path, profile: Path) -> Iterator[WebKit]:
 
 @contextmanager
 def _screen() -> Iterator[str]:
-    """The name of a screen that nobody looks at."""
+    """The name of a virtual screen."""
     command = [SCREEN, "-displayfd", "1", "-screen", "0", "1600x1200x24", "-nolisten", "tcp"]
     with subprocess.Popen(
         command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
@@ -126,10 +126,10 @@ def _free_port() -> int:
 
 
 def _wait_for_driver(address: str) -> None:
-    """Wait until it answers; raises `TimeoutError`."""
+    """Wait until the driver answers; raises `TimeoutError`."""
     end = time.monotonic() + limit_s()
     while time.monotonic() < end:
         with suppress(URLError), urlopen(f"{address}/status", timeout=3 * limit_s()):
             return
         time.sleep(0.05)
-    raise TimeoutError("the driver of WebKit does not answer")
+    raise TimeoutError("the WebKit driver does not answer")

@@ -1,7 +1,7 @@
-"""A window of WebKitGTK that a driver leads, for ``/usr/bin/python3``, which has the library.
+"""A window of WebKitGTK under a driver, for ``/usr/bin/python3``, which has the library.
 
-Unlike the library's own small browser under a driver, it keeps what it is given for as long as its
-profile lasts, and writes the console of every page to the standard output.
+Unlike the library's own small browser, it keeps its storage in the profile and writes the console
+of every page to the standard output.
 """
 
 import sys
@@ -34,7 +34,7 @@ def begin(context: WebKit2.WebContext, session: WebKit2.AutomationSession) -> No
 
 
 def show(_: WebKit2.AutomationSession, context: WebKit2.WebContext) -> WebKit2.WebView:
-    """The one view, in a window of its size."""
+    """The only view, in a window of its size."""
     settings = WebKit2.Settings(enable_write_console_messages_to_stdout=True)
     view = WebKit2.WebView(web_context=context, settings=settings, is_controlled_by_automation=True)
     window = Gtk.Window(default_width=WIDTH, default_height=HEIGHT)

@@ -1,23 +1,68 @@
-"""Cameras and boards that are bent as real ones are, and what they show; lengths in squares."""
+"""Chequerboards for tests: views of a board, simulated photographs, and boards that are bent."""
 
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.camera import Camera
-from simulations.models.calibration.simulated import sitting
+from simulations.models.calibration.bundle_adjustment import Adjusted, refine
+from simulations.models.calibration.camera import LENSES, PINHOLE, Camera
+from simulations.models.calibration.simulated import Sitting, sitting
 from simulations.models.calibration.views import Views
+from simulations.models.calibration.zhang import closed_form
 from simulations.models.chequerboard.board import Board
 from simulations.models.distortion.fisheye import Fisheye
 from simulations.models.distortion.lens import Lens
 from simulations.models.distortion.lens_model import Distortion
+from simulations.models.geometry.rotations import exponential
+from simulations.models.projection.pinhole import intrinsics
+from simulations.pictures.chequerboard import View
 
-SIZE = (1600, 1200)
+BARREL = Distortion(k1=-0.3, k2=0.09)
+
+
+def facing_board(
+    board: Board,
+    width: int,
+    height: int,
+    *,
+    focal_px: float,
+    tilt: tuple[float, float, float],
+    distance_mm: float,
+    aside_mm: tuple[float, float] = (0.0, 0.0),
+    lens: Distortion = BARREL,
+) -> View:
+    """A camera that looks at the middle of a board, which is turned about it by the rotation vector
+    ``tilt``."""
+    columns, rows = board.corners
+    middle = 0.5 * board.side_mm * np.array([columns - 1, rows - 1, 0])
+    pose = np.eye(4)
+    pose[:3, :3] = exponential(np.array(tilt))
+    pose[:3, 3] = np.array([*aside_mm, distance_mm]) - pose[:3, :3] @ middle
+    centre = (0.5 * width + 2.2, 0.5 * height - 3.7)
+    return View(width, height, intrinsics(focal_px, centre), lens, pose)
+
+
+SIZE = (640, 480)
+TRUTH = Camera(600.0, 603.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08, p1=6e-4, p2=-4e-4))
+
+
+def photographs(count: int, seed: int = 0, camera: Camera = TRUTH) -> Sitting:
+    """Photographs of a board with 9 × 6 inner corners."""
+    return sitting(camera, SIZE, count, Board(), seed)
+
+
+def calibrate(views: Views, lens: str = "k3") -> Adjusted:
+    """The camera by least squares, from the corners alone."""
+    return refine(views, *closed_form(views, SIZE), PINHOLE + LENSES[lens])
+
+
+BENT_SIZE = (1600, 1200)
 BOARD = Board(10, 7, 20.0)  # 200 mm wide
 SIDE_MM, SIGMA_PX = 20.0, 0.05
 
 type World = dict[str, float]
+"""Departures from a flat board and a simple lens, by name."""
 
-LENSES: dict[str, World] = {
+BOARD_WORLDS: dict[str, World] = {
     "flat": {},
     "sag of 0.5 mm": {"sag_mm": 0.5},
     "sag of 2 mm": {"sag_mm": 2.0},
@@ -30,7 +75,7 @@ LENSES: dict[str, World] = {
 
 
 def corners_of(world: World, rng: np.random.Generator) -> Floats:
-    """(N, 3) of the board."""
+    """The corners (N, 3) of the board, in squares."""
     u, v = BOARD.indices.T
     x, y = (u - 4.0) / 5.0, (v - 2.5) / 3.5
     turn = rng.uniform(0.0, np.pi)
@@ -42,7 +87,7 @@ def corners_of(world: World, rng: np.random.Generator) -> Floats:
 
 
 def bent_views(world: World, rng: np.random.Generator, count: int = 12) -> tuple[Camera, Views]:
-    """A camera, and its photographs of one board."""
+    """A camera, and its photographs of one board; lengths in squares."""
     focal = rng.uniform(1000.0, 1500.0)
     terms = {
         "k1": rng.uniform(-0.25, 0.05),
@@ -59,7 +104,7 @@ def bent_views(world: World, rng: np.random.Generator, count: int = 12) -> tuple
         focal *= 0.55
         lens = Fisheye(*rng.normal((0.0, 0.0, 0.0, 0.0), (0.03, 0.01, 3e-3, 1e-3)))
     camera = Camera(focal, focal * rng.normal(1.0, 1e-3), x, y, lens)
-    poses = sitting(camera, SIZE, count, BOARD, int(rng.integers(10**9))).poses
+    poses = sitting(camera, BENT_SIZE, count, BOARD, int(rng.integers(10**9))).poses
     corners = corners_of(world, rng)
     pixels = camera.pixels(corners @ np.swapaxes(poses.R, -1, -2) + poses.t[:, None])
     noise = rng.normal(0.0, SIGMA_PX, (count, 6, 9, 2))
