@@ -1,6 +1,6 @@
-"""What pages cost, kept: ``content/costs.json`` has a section for each tool of this folder that
-measures one thing, and ``budgets.toml`` says how much each may be. ``python -m bench.costs``
-reports what is beyond its budget; only a tool that cannot measure fails."""
+"""Costs of pages: ``content/costs.json`` has a section for each tool of this folder, and
+``budgets.toml`` has the limits. ``python -m bench.costs`` lists the costs beyond their budgets;
+only a tool that cannot measure fails."""
 
 import json
 import tomllib
@@ -14,18 +14,18 @@ from site_builder.benchmarks.measuring import write
 from site_builder.benchmarks.readouts import DATA
 
 SITE = ROOT / "build" / "site"
-"""The built book, which all these tools measure."""
+"""The built book, which all tools of this folder measure."""
 BUDGETS = Path(__file__).with_name("budgets.toml")
 
 
-def keep(section: str, found: Mapping[str, Any], file: Path = ROOT / DATA) -> None:
-    """Put ``found``, objects within objects down to numbers, in the place of the section."""
+def store_section(section: str, found: Mapping[str, Any], file: Path = ROOT / DATA) -> None:
+    """Replace a section of the file by ``found``, nested objects of numbers."""
     known = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
     write(dict(sorted({**known, section: found}.items())), file)
 
 
-def beyond(costs: Mapping[str, Any], budgets: Mapping[str, Any]) -> Iterator[str]:
-    """A line for each number that is more than its budget, and for each that was not measured."""
+def over_budget(costs: Mapping[str, Any], budgets: Mapping[str, Any]) -> Iterator[str]:
+    """A line for each number beyond its budget, and for each that was not measured."""
     for path, most in _leaves(budgets):
         at: Any = costs
         for name in path:
@@ -46,8 +46,8 @@ def _leaves(budgets: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator[
 
 def main() -> None:
     costs = json.loads((ROOT / DATA).read_text(encoding="utf-8"))
-    complaints = [*beyond(costs, tomllib.loads(BUDGETS.read_text(encoding="utf-8")))]
-    print("\n".join(complaints) or "every cost is within its budget")
+    over = [*over_budget(costs, tomllib.loads(BUDGETS.read_text(encoding="utf-8")))]
+    print("\n".join(over) or "every cost is within its budget")
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
-"""How often the truth is within the errors that the instruments print: the shares of 200 simulated
-cameras in each world of `models.test_coverage_of_errors`, kept. ``python -m bench.coverage lens``
-measures one instrument only."""
+"""How often the truth is within the errors that the instruments print, as shares of 200 simulated
+cameras in each world of `models.test_coverage_of_errors`, for ``content/costs.json``.
+``python -m bench.coverage lens`` measures one instrument only."""
 
 import sys
 
-from bench.costs import keep
+from bench.costs import store_section
 from models.test_coverage_of_errors import WORLDS, shares
 
 CAMERAS, SIDE = 200, 128
@@ -22,12 +22,12 @@ def main() -> None:
                 slug(number): {
                     "one_pct": round(100 * one),
                     "two_pct": round(100 * two),
-                    "untold_pct": round(100 * untold),
+                    "untold_pct": round(100 * unreported),
                 }
-                for number, (one, two, untold) in shares(kind, world, CAMERAS, SIDE).items()
+                for number, (one, two, unreported) in shares(kind, world, CAMERAS, SIDE).items()
             }
             print(kind, world, found[slug(world)], flush=True)
-        keep(f"{kind}_coverage", found)
+        store_section(f"{kind}_coverage", found)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
-"""How soon a figure follows a hand: ``PYTHONPATH=tests python -m bench.drag``.
+"""Latency of figures while a slider is dragged: ``PYTHONPATH=tests python -m bench.drag``.
 
-Every slider of every scene of the built book is dragged from end to end and back by a script that
-stands outside the book's own: ``js/drag.js``. A time runs from an event to the first animation
-frame after the one that shows the answer, so that it is about a whole number of display frames.
-A row says how many moves were answered later than the bound of the speed, and which level was shown
-for most of them and at rest. All is measured at full speed and, on Linux, in browsers that are held
-back (``slowed.py``). ``--scene`` measures some scenes only and ``--times`` some speeds; of all, a
-summary goes into ``content/costs.json``.
+Every slider of every scene of the built book is dragged from end to end and back by a script
+independent of the book's (``js/drag.js``). A latency is the time from an event to the first
+animation frame after the one that shows the result, so that it is about a whole number of display
+frames. A row has the number of moves beyond the bound of the speed, the level of most moves and the
+level at rest. Drags are measured at full speed and, on Linux, in slowed browsers (``slowed.py``).
+``--scene`` measures some scenes only and ``--times`` some speeds; for all, a summary goes into
+``content/costs.json``.
 """
 
 import argparse
@@ -18,8 +18,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from bench.costs import SITE, keep
-from bench.slowed import held_back
+from bench.costs import SITE, store_section
+from bench.slowed import slowed_down
 from playwright.sync_api import JSHandle, Page
 from support.chromium import open_chromium
 from support.reader import DESK
@@ -29,12 +29,12 @@ from site_builder.benchmarks.measuring import significant
 
 FRAME_MS = 1000 / 60
 BOUNDS_MS = {1.0: 2 * FRAME_MS, 4.0: 67.0, 7.5: 150.0}
-"""Bound of the 95th percentile, by how many times the browser is held back."""
-EARLY_MS = 1.0
-"""An animation frame that comes so much late is still that frame."""
+"""Bound of the 95th percentile, by the slowdown of the browser."""
+TOLERANCE_MS = 1.0
+"""Jitter allowed in the time of an animation frame."""
 MOVES, ROUNDS = 6, 2
 READ_MS = 2000
-"""What a reader takes at least before a hand comes: a frame may be computed ahead meanwhile."""
+"""The pause before the first drag, in which a frame may be computed in advance."""
 LONGEST_MS = 120_000
 DRAG = "([drag, figure, hand]) => drag.drag({...hand, figure})"
 EXERCISE = "([drag, figure, hand]) => drag.exercise({...hand, figure})"
@@ -46,22 +46,22 @@ SHOW = """figure => {
 RESTS = """() => [...document.querySelectorAll('simulation-figure')]
   .filter(figure => !figure.closest('details:not([open])'))
   .every(figure => figure.dataset.state === 'live' && figure.rests)"""
-"""A figure in a section that is folded up does not start."""
+"""Figures in folded sections do not start."""
 
 
 @dataclass(frozen=True, slots=True)
 class Drag:
-    """A slider dragged from end to end and back; times in milliseconds, one of each move."""
+    """A slider dragged from end to end and back, with times of each move in milliseconds."""
 
     scene: str
     control: str
     times: float
-    """How many times the browser was held back."""
+    """The slowdown of the browser."""
     latencies: Sequence[float]
     computes: Sequence[float]
-    """In Python."""
+    """Computing times in Python."""
     levels: Sequence[str]
-    """What was shown; empty where the scene has only one level."""
+    """The levels shown; empty if the scene has only one."""
     rest: str
     """The level at rest."""
 
@@ -80,12 +80,12 @@ class Drag:
 
     @property
     def late_moves(self) -> int:
-        return sum(latency > BOUNDS_MS[self.times] + EARLY_MS for latency in self.latencies)
+        return sum(latency > BOUNDS_MS[self.times] + TOLERANCE_MS for latency in self.latencies)
 
     @property
     def late(self) -> bool:
-        """Whether the hand has to wait for the figure."""
-        return self.p95 > BOUNDS_MS[self.times] + EARLY_MS
+        """Whether the 95th percentile is beyond the bound."""
+        return self.p95 > BOUNDS_MS[self.times] + TOLERANCE_MS
 
 
 HEADING = (
@@ -106,20 +106,20 @@ def line(found: Drag) -> str:
 
 @contextmanager
 def open_book(times: float = 1.0) -> Iterator[tuple[Page, str]]:
-    """A page of a browser that is held back, and the address of the built book."""
-    with open_chromium(*held_back(times)) as browser, serving(SITE) as server:
+    """A page of a browser slowed down ``times`` times, and the address of the built book."""
+    with open_chromium(*slowed_down(times)) as browser, serving(SITE) as server:
         page = browser.new_page(
             viewport=DESK,
             service_workers="block",
             bypass_csp=True,
-            reduced_motion="reduce",  # nothing moves but what the script drags
+            reduced_motion="reduce",  # no motion except the script's
         )
         page.set_default_timeout(LONGEST_MS)
         yield page, server.url
 
 
 def hand_script(page: Page, name: str = "drag.js") -> JSHandle:
-    """The module ``js/NAME`` in the page; it goes with it."""
+    """The module ``js/NAME``, imported in the page."""
     source = (SCRIPTS / name).read_text(encoding="utf-8")
     return page.evaluate_handle(
         "source => import(URL.createObjectURL(new Blob([source], {type: 'text/javascript'})))",
@@ -128,8 +128,8 @@ def hand_script(page: Page, name: str = "drag.js") -> JSHandle:
 
 
 def figure_at_rest(page: Page, scene: str) -> JSHandle:
-    """The figure of a scene in the middle of the window, its section unfolded, when all figures
-    that may start have their frames."""
+    """The figure of a scene in the middle of the window, with its section unfolded, once all
+    visible figures are at rest."""
     figure = page.query_selector(f'simulation-figure[data-simulation="{scene}"]')
     if figure is None:
         raise ValueError(f"scene {scene!r}; legal: one that this page shows")
@@ -141,7 +141,7 @@ def figure_at_rest(page: Page, scene: str) -> JSHandle:
 def measure(
     page: Page, address: str, book: Any, wanted: Sequence[str], times: float
 ) -> Iterator[Drag]:
-    """Each scene in the first chapter that shows it."""
+    """Measure each slider of these scenes in the first chapter that shows the scene."""
     controls = {each["id"]: each["controls"] for each in book["simulations"]}
     waiting = set(wanted)
     for chapter in book["chapters"]:
@@ -162,7 +162,7 @@ def measure(
 
 
 def summary(rows: Sequence[Drag]) -> dict[str, float]:
-    """All sliders in few numbers."""
+    """Statistics of all sliders."""
     late = sum(found.late for found in rows)
     return {
         "sliders": len(rows),
@@ -183,20 +183,20 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="bench.drag", description=__doc__)
     parser.add_argument("--scene", action="append", default=[])
     parser.add_argument("--times", action="append", default=[], type=float, choices=BOUNDS_MS)
-    asked, book = parser.parse_args(), read_book()
-    wanted = asked.scene or [each["id"] for each in book["simulations"]]
+    arguments, book = parser.parse_args(), read_book()
+    wanted = arguments.scene or [each["id"] for each in book["simulations"]]
     print(HEADING)
     found: dict[str, dict[str, float]] = {}
-    for times in asked.times or BOUNDS_MS:
+    for times in arguments.times or BOUNDS_MS:
         rows = []
         with open_book(times) as (page, address):
             for each in measure(page, address, book, wanted, times):
                 rows.append(each)
                 print(line(each), flush=True)
         found[f"{times:g}"] = summary(rows)
-        print(f"held back {times:g} times: {json.dumps(found[f'{times:g}'])}", flush=True)
-    if not asked.scene and not asked.times:
-        keep("drags", found)
+        print(f"slowed {times:g} times: {json.dumps(found[f'{times:g}'])}", flush=True)
+    if not arguments.scene and not arguments.times:
+        store_section("drags", found)
 
 
 if __name__ == "__main__":

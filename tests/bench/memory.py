@@ -1,16 +1,16 @@
-"""Whether anything piles up: ``PYTHONPATH=tests python -m bench.memory``.
+"""Memory leaks: ``PYTHONPATH=tests python -m bench.memory``.
 
-One figure draws two thousand frames, and a hundred chapters are turned; after each part of it the
-garbage is collected and what is left is counted: the heap of the scripts, nodes of the page,
-listeners, and the memory of the interpreter, which never shrinks and grows by a fifth at a time.
-The first half fills what is kept on purpose; what has grown from there to the end is named. What is
-held in the end goes to what pages cost, which the book prints.
+One figure draws two thousand frames, and a hundred chapters are turned. After each quarter the
+garbage is collected and the rest counted: the heap of the scripts, nodes of the page, listeners,
+and the memory of the interpreter, which never shrinks and grows by a fifth at a time. The first
+half fills the caches; growth in the second half beyond the limits is printed. The final numbers go
+into ``content/costs.json``, which the book prints.
 """
 
 import json
 from collections.abc import Iterator, Sequence
 
-from bench.costs import keep
+from bench.costs import store_section
 from bench.drag import EXERCISE, figure_at_rest, hand_script, open_book, read_book
 from playwright.sync_api import Page
 
@@ -23,11 +23,11 @@ TURN = """url => {
   link.remove();
 }"""
 COLLECTIONS, REST_MS = 3, 1000
-"""Pages that were turned go bit by bit: what one collection frees lets the next one free more."""
+"""Pages that were left are freed step by step: one collection lets the next one free more."""
 COUNTED = {"JSHeapUsedSize": "heap MB", "Nodes": "nodes", "JSEventListeners": "listeners"}
 INTERPRETER = "interpreter MB"
 MOST_GROWTH = {"heap MB": 0.05, "nodes": 0.01, "listeners": 0.0, INTERPRETER: 0.02}
-"""Share of what was there at half: what compiled code and the collector leave open."""
+"""Allowed growth in the second half, as a share; compiled code and the collector cause some."""
 PRINTED_BY = "simulations.scenes.lens_distortion.stages:_encoded"
 PRINTS = """def _encoded(photo):
     return to_rgba8(encode_srgb_table(photo.linear))
@@ -35,19 +35,19 @@ PRINTS = """def _encoded(photo):
 import pyodide_js
 print(pyodide_js._module.HEAPU8.length)
 """
-"""Printed while the edited module is executed, which happens anew for every other text."""
-ASK = """async ([edits]) => {
+"""Prints while the edited module is executed, once for each new source."""
+RUN_EDITED = """async ([edits]) => {
   const {inside} = await customElements.whenDefined('simulation-figure');
   const runtime = inside.sharedRuntime();
   const frame = {figure: 'memory', scene: 'lens-distortion', values: '{}', tier: '', edits};
   return await runtime.call('render_edited', frame);
 }"""
 
-type Held = dict[str, float]
+type Usage = dict[str, float]
 
 
-def held(page: Page, number: int) -> Held:
-    """What the page and its worker hold once the garbage is gone."""
+def usage(page: Page, number: int) -> Usage:
+    """Memory of the page and its worker after garbage collection."""
     interpreter = interpreter_bytes(page, number)
     session = page.context.new_cdp_session(page)
     for _ in range(COLLECTIONS):
@@ -63,16 +63,16 @@ def held(page: Page, number: int) -> Held:
 
 
 def interpreter_bytes(page: Page, number: int) -> int:
-    """Length of the interpreter's memory; ``number`` is another with each call."""
+    """Length of the interpreter's memory; ``number`` must differ between calls."""
     edits = json.dumps({PRINTED_BY: f"{PRINTS}# {number}\n"})
-    answer = page.evaluate(ASK, [edits])
+    answer = page.evaluate(RUN_EDITED, [edits])
     if answer["problem"]:
         raise RuntimeError(f"the interpreter printed nothing: {answer['problem']}")
     return int(answer["printed"])
 
 
-def grown(parts: Sequence[Held]) -> Iterator[str]:
-    """What is more after the last part than at half, by more than it may be."""
+def growth_over_limit(parts: Sequence[Usage]) -> Iterator[str]:
+    """A line for each number that grew too much from the half to the last part."""
     half, last = parts[len(parts) // 2 - 1], parts[-1]
     for name, most in MOST_GROWTH.items():
         growth = last[name] / half[name] - 1
@@ -80,53 +80,51 @@ def grown(parts: Sequence[Held]) -> Iterator[str]:
             yield f"{name}: {half[name]:g} to {last[name]:g}, {growth:.1%}; at most {most:.0%}"
 
 
-def drawn(page: Page, address: str, url: str) -> Iterator[tuple[str, Held]]:
+def usage_after_frames(page: Page, address: str, url: str) -> Iterator[tuple[str, Usage]]:
     page.goto(address + url)
     figure, drag = figure_at_rest(page, SCENE), hand_script(page)
     for part in range(1, PARTS + 1):
         hand = {"name": CONTROL, "frames": FRAMES // PARTS}
         page.evaluate(EXERCISE, [drag, figure, hand])
-        yield f"{part * FRAMES // PARTS} frames", held(page, part)
+        yield f"{part * FRAMES // PARTS} frames", usage(page, part)
 
 
-def turned(page: Page, address: str, urls: list[str]) -> Iterator[tuple[str, Held]]:
-    """The same chapter after each part: others have figures of their own size."""
+def usage_after_turns(page: Page, address: str, urls: list[str]) -> Iterator[tuple[str, Usage]]:
+    """Measured on the same chapter each time, since figures differ in size."""
     for turn in range(1, TURNS + 1):
         url = address + urls[turn % len(urls) if turn % (TURNS // PARTS) else 0]
         page.evaluate(TURN, url)
         page.wait_for_function("url => location.href === url", arg=url)
         if turn % (TURNS // PARTS) == 0:
             figure_at_rest(page, SCENE).dispose()  # a handle to a figure keeps its page in memory
-            yield f"{turn} chapters", held(page, FRAMES + turn)
+            yield f"{turn} chapters", usage(page, FRAMES + turn)
 
 
 def main() -> None:
     urls = [each["url"] for each in read_book()["chapters"] if each["simulations"]]
     urls.sort(key=lambda url: not url.startswith(SCENE))
-    costs: dict[str, Held] = {}
+    costs: dict[str, Usage] = {}
     with open_book() as (page, address):
         for name, parts in (
-            ("frames", drawn(page, address, urls[0])),
-            ("chapters", turned(page, address, urls)),
+            ("frames", usage_after_frames(page, address, urls[0])),
+            ("chapters", usage_after_turns(page, address, urls)),
         ):
-            kept = []
-            for what, found in parts:
-                print(
-                    f"{what:24}", *(f"{one} {value:g}" for one, value in found.items()), flush=True
-                )
-                kept.append(found)
-            more = [*grown(kept)]
-            print(*more or ["nothing piles up"], sep="\n")
-            costs[name] = as_cost(kept) | {"grown": len(more)}
-    keep("memory", costs)
+            measured = []
+            for label, found in parts:
+                print(f"{label:24}", *(f"{n} {value:g}" for n, value in found.items()), flush=True)
+                measured.append(found)
+            grown = [*growth_over_limit(measured)]
+            print(*grown or ["no memory leak"], sep="\n")
+            costs[name] = as_cost(measured) | {"grown": len(grown)}
+    store_section("memory", costs)
 
 
-def as_cost(parts: Sequence[Held]) -> dict[str, float]:
-    """What is held in the end, and how much more that is than at half."""
+def as_cost(parts: Sequence[Usage]) -> dict[str, float]:
+    """The final numbers in megabytes, and the largest growth since the half."""
     half, last = parts[len(parts) // 2 - 1], parts[-1]
     megabytes = {
-        name.replace(" MB", "_mb"): round(held * 2**20 / 1e6, 1)
-        for name, held in last.items()
+        name.replace(" MB", "_mb"): round(value * 2**20 / 1e6, 1)
+        for name, value in last.items()
         if name.endswith(" MB")
     }
     growth = max(last[name] / half[name] for name in MOST_GROWTH) - 1

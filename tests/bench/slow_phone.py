@@ -1,23 +1,23 @@
 """The book on a slow phone: ``PYTHONPATH=tests python -m bench.slow_phone``, on Linux.
 
-Page and workers are held back (``slowed.py``), on a phone's screen. Starts are measured as by
-``bench.start``, beside plain Pyodide held back as much; `bench.drag` measures sliders. Medians go
-to what pages cost, for the book to tell.
+The page and its workers are slowed down (``slowed.py``), on a phone's screen. Starts are measured
+as by ``bench.start``, beside plain Pyodide slowed down as much; `bench.drag` measures sliders.
+Medians go into ``content/costs.json``, which the book prints.
 """
 
 import json
 import statistics
 from typing import Any
 
-from bench.costs import keep
-from bench.slowed import held_back
+from bench.costs import store_section
+from bench.slowed import slowed_down
 from bench.start import Start, profiles
 from bench.start import measure as measure_starts
 from playwright.sync_api import Page
 
 from site_builder.benchmarks.measuring import significant
 
-TIMES = 7.5
+SLOWDOWN = 7.5
 PHONE: dict[str, Any] = {
     "viewport": {"width": 390, "height": 844},
     "device_scale_factor": 3,
@@ -36,12 +36,12 @@ BUSY = """() => {
   const sum = times.reduce((one, other) => one + other);
   return sum / times.length / Math.min(...times);
 }"""
-"""How many times as long as at its best a short loop takes."""
+"""The ratio of the mean to the shortest time of a short loop."""
 IN_WORKER = f"""() => new Promise((resolve) => {{
   const source = `postMessage(({BUSY})())`;
   new Worker(URL.createObjectURL(new Blob([source]))).onmessage = ({{data}}) => resolve(data);
 }})"""
-EARLY = """async (name) => {
+EARLY_MOVES = """async (name) => {
   const figure = document.querySelector('simulation-figure[data-prerendered]');
   figure.scrollIntoView({block: 'center', behavior: 'instant'});
   const slider = figure.querySelector(`input[name="${name}"]`);
@@ -58,12 +58,12 @@ EARLY = """async (name) => {
   }
   return figure.dataset.state === 'starting' ? times : null;
 }"""
-"""A hand at a figure's main slider while Python starts: milliseconds to each frame."""
+"""Move a figure's main slider while Python starts; returns milliseconds to each frame."""
 PAINTED = "performance.getEntriesByName('first-contentful-paint')[0].startTime"
 
 
 def slowness(start: Start, address: str) -> dict[str, float]:
-    """How many times as long work takes in a page and in a worker."""
+    """The slowdown of work in a page and in a worker."""
     with start() as browser:
         page = browser.pages[0]
         page.goto(address + "404.html")
@@ -72,27 +72,27 @@ def slowness(start: Start, address: str) -> dict[str, float]:
 
 
 def measure_first(page: Page, address: str) -> dict[str, float]:
-    """When text is on the screen, and how soon a slider answers before Python runs."""
+    """The time to the first paint, and the latency of a slider before Python runs."""
     painted: list[float] = []
     answers: list[float] = []
     for _ in range(ROUNDS):
         page.goto(f"{address}lens-distortion/", wait_until="commit")
         page.wait_for_selector("simulation-figure[data-state=starting]", state="attached")
-        answers += page.evaluate(EARLY, "k1") or []
+        answers += page.evaluate(EARLY_MOVES, "k1") or []
         painted.append(page.evaluate(PAINTED))
     found = {"paint_ms": statistics.median(painted), "slider_ms": statistics.median(answers)}
     return {name: significant(ms, 3) for name, ms in found.items()}
 
 
 def main() -> None:
-    with profiles(*held_back(TIMES), **PHONE) as (slow, address):
+    with profiles(*slowed_down(SLOWDOWN), **PHONE) as (slow, address):
         found: dict[str, Any] = slowness(slow, address)
         print(found, flush=True)
         found |= measure_starts(slow, address, ROUNDS)
         with slow(service_workers="block") as browser:
             found |= {"first": measure_first(browser.pages[0], address)}
     print(json.dumps(found, indent=1))
-    keep("slow_phone", found)
+    store_section("slow_phone", found)
 
 
 if __name__ == "__main__":

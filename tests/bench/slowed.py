@@ -1,9 +1,9 @@
 """Run a program at a fraction of its speed: ``python slowed.py TIMES PROGRAM ARGUMENTS...``.
 
-All its threads are stopped again and again, so that what the busiest one does takes ``TIMES`` as
-long; time in which it waits for a processor counts, so that other work on the machine matters
-little. Chromium's own throttle (``Emulation.setCPUThrottlingRate``) slows a page and refuses its
-workers. Needs Linux.
+All its threads are stopped again and again, so that the work of the busiest one takes ``TIMES`` as
+long. Time in which it waits for a processor counts too, so that other work on the machine has
+little effect. Chromium's own throttle (``Emulation.setCPUThrottlingRate``) slows the page but not
+its workers. Needs Linux.
 """
 
 import os
@@ -13,11 +13,11 @@ import time
 from pathlib import Path
 
 RUN_S = 0.002
-"""How long it runs at a time."""
+"""How long the program runs between two stops."""
 
 
-def held_back(times: float) -> list[str]:
-    """Arguments for Chromium whose pages and workers run at a fraction of their speed."""
+def slowed_down(times: float) -> list[str]:
+    """Arguments with which Chromium's pages and workers take ``times`` as long."""
     if times == 1:
         return []
     return [f"--renderer-cmd-prefix={sys.executable} {Path(__file__).resolve()} {times:g}"]
@@ -42,7 +42,7 @@ def main() -> None:
 
 
 def run_s(process: int) -> dict[str, float]:
-    """How long each of its threads has run."""
+    """The running time of each thread in seconds, by thread."""
     found = {}
     for task in Path(f"/proc/{process}/task").glob("*/schedstat"):
         try:

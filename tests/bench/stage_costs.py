@@ -1,8 +1,9 @@
-"""What one moved control costs of a whole frame: ``PYTHONPATH=tests python -m bench.stage_costs``.
+"""The cost of moving one control, as a share of a whole frame:
+``PYTHONPATH=tests python -m bench.stage_costs``.
 
-The frame after the move, and the same frame with nothing at hand, take turns, so that a busy
-moment of the machine falls on both; of each, the fastest counts, in time of the processor. What is
-found goes into ``content/stage-costs.json``, from which the book's table is made.
+The frame after the move and the same frame with an empty cache are computed alternately, so that
+other work on the machine affects both; the fastest of each counts, in processor time. The results
+go into ``content/stage-costs.json``, from which the book's table is made.
 """
 
 import time
@@ -57,7 +58,7 @@ def measure_move(moved: dict[str, Value]) -> dict[str, float]:
 
 
 def main() -> None:
-    time_frame(START, StageCache())  # whatever is prepared once only
+    time_frame(START, StageCache())  # prepares tables that are computed only once
     moves = {}
     for control, value in MOVES.items():
         moves[control] = {"to": value, **measure_move({control: value})}

@@ -1,13 +1,13 @@
-"""How long a reader waits for a figure that lives, beside plain Pyodide drawing the same frame.
+"""The time until a figure is live, compared with plain Pyodide drawing the same frame.
 
-``PYTHONPATH=tests python -m bench.start``, with a built book in ``build/site``. Runs take turns, so
-that a busy minute of the machine falls on all. Each begins in a browser profile of its own (cold);
-the page is then opened again in that profile (warm), and turned to the next chapter, where a slider
-is touched at once. The other page is what Pyodide's documentation tells authors to write: load
-Pyodide, numpy and the modules, import them, draw. It has the files of Pyodide's release, from the
-same server.
+``PYTHONPATH=tests python -m bench.start``, with a built book in ``build/site``. The book and the
+plain page are measured alternately, so that other work on the machine affects both. Each run starts
+in a fresh browser profile (cold); the page is opened again in that profile (warm) and turned to the
+next chapter, where a slider is moved at once. The plain page follows Pyodide's documentation: it
+loads Pyodide, numpy and the modules, imports them, and draws. It has the files of Pyodide's
+release, from the same server.
 
-Medians and ratios go among the costs that the book tells.
+Medians and ratios go into ``content/costs.json``, which the book prints.
 """
 
 import json
@@ -20,7 +20,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from bench.costs import SITE, keep
+from bench.costs import SITE, store_section
 from playwright.sync_api import BrowserContext, BrowserType, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.places import ROOT
@@ -36,18 +36,18 @@ from site_builder.runtime.store import LOCK_INFO, NUMPY_WHEEL, VERSIONS
 
 SCENE = "lens-distortion"
 REST_MS = 4000
-"""What a reader takes at least before turning the page: the book may prepare for it."""
+"""The pause before a page is turned, in which the book may prepare the next one."""
 LONGEST_MS = 60_000
 ROUNDS = 5
 PLAIN = "plain/"
-KEPT = "navigator.serviceWorker.controller !== null"
-"""The first visit lasts until the browser has the whole book."""
+STORED = "navigator.serviceWorker.controller !== null"
+"""True once the browser has stored the whole book."""
 
 type Run = dict[str, float]
-"""Milliseconds by what was measured."""
+"""Milliseconds, by the name of the measurement."""
 type Start = Callable[..., AbstractContextManager[BrowserContext]]
 
-NOTE = """(() => {
+RECORD_TIMES = """(() => {
   const Plain = globalThis.Worker;
   globalThis.Worker = class extends Plain {
     constructor(...given) {
@@ -61,7 +61,7 @@ NOTE = """(() => {
     }
   }).observe(document, {subtree: true, attributeFilter: ['data-state']});
 })()"""
-"""In every page: notes when its worker began and when its first figure lived."""
+"""In every page: records when its worker begins and when its first figure is live."""
 
 TURN = """() => {
   const begun = performance.now();
@@ -80,9 +80,9 @@ TURN = """() => {
   }).observe(document, {subtree: true, attributeFilter: ['data-state']});
   document.querySelector('.pager a[rel=next]').click();
 }"""
-"""Turns the page, and moves a slider of the first figure that lives there as soon as it does."""
+"""Turn the page, and move a slider of its first live figure at once."""
 
-DRAWN = """<!DOCTYPE html>
+PLAIN_PAGE = """<!DOCTYPE html>
 <meta charset="utf-8"><title>Plain</title><link rel="icon" href="data:,">
 <script type="module">
   import {loadPyodide} from './pyodide.mjs';
@@ -116,28 +116,28 @@ frame`);
   globalThis.lived = performance.now();
 </script>
 """
-"""The other page."""
+"""The plain page."""
 
 
 def main() -> None:
     with profiles() as (start, address):
         record = measure(start, address, ROUNDS)
     print(json.dumps(record, indent=1))
-    keep("start", record)
+    store_section("start", record)
 
 
 @contextmanager
 def profiles(*arguments: str, **device: Any) -> Iterator[tuple[Start, str]]:
-    """Starts a browser with a profile of its own; and the address of the book."""
+    """A function that starts a browser with a fresh profile, and the address of the book."""
     executable = find_chromium()
     if executable is None:
         raise SystemExit(HOW_TO)
-    with sync_playwright() as playwright, laid_out() as address:
+    with sync_playwright() as playwright, serve_with_plain_page() as address:
         yield partial(profile, playwright.chromium, str(executable), *arguments, **device), address
 
 
 def measure(start: Start, address: str, rounds: int) -> dict[str, Any]:
-    """All starts, the book's and the other page's in turns."""
+    """Measure the book and the plain page alternately."""
     runs: list[Run] = []
     for _ in range(rounds):
         runs.append({**measure_book(start, address), **measure_plain(start, address)})
@@ -146,7 +146,7 @@ def measure(start: Start, address: str, rounds: int) -> dict[str, Any]:
 
 
 def summary(runs: Sequence[Run]) -> dict[str, Any]:
-    """Medians, and how the book's starts compare with those of plain Pyodide."""
+    """Medians, and the ratios of the book's starts to plain Pyodide's."""
     found = {name: median(run[name] for run in runs) for name in runs[0]}
     starts = {
         kind: {
@@ -161,16 +161,16 @@ def summary(runs: Sequence[Run]) -> dict[str, Any]:
 
 
 def measure_book(start: Start, address: str) -> Run:
-    """Starts of a chapter, the turn to the next, and the first touch there."""
+    """Both starts of a chapter, the turn to the next one, and the first move of a slider there."""
     chapter = address + "lens-distortion/"
     with start() as browser:
-        cold = opened(browser, chapter)
+        cold = time_to_live(browser, chapter)
         page = browser.pages[-1]
         begun = page.evaluate("globalThis.workerBegun")
         page.wait_for_timeout(REST_MS)
-        page.wait_for_function(KEPT, polling=1000)
+        page.wait_for_function(STORED, polling=1000)
         page.wait_for_timeout(REST_MS)
-        warm = opened(browser, chapter)
+        warm = time_to_live(browser, chapter)
         page.wait_for_timeout(REST_MS)
         page.evaluate(TURN)
         page.wait_for_function("globalThis.touched")
@@ -179,15 +179,15 @@ def measure_book(start: Start, address: str) -> Run:
 
 
 def measure_plain(start: Start, address: str) -> Run:
-    """Starts of the other page."""
+    """Both starts of the plain page."""
     with start() as browser:
-        cold = opened(browser, address + PLAIN)
+        cold = time_to_live(browser, address + PLAIN)
         browser.pages[-1].wait_for_timeout(REST_MS)
-        return {"plain cold": cold, "plain warm": opened(browser, address + PLAIN)}
+        return {"plain cold": cold, "plain warm": time_to_live(browser, address + PLAIN)}
 
 
-def opened(browser: BrowserContext, address: str) -> float:
-    """Milliseconds until the first figure of a page is live. The page is the browser's only one."""
+def time_to_live(browser: BrowserContext, address: str) -> float:
+    """Milliseconds until the first figure of the browser's only page is live."""
     page = browser.pages[0]
     page.goto("about:blank")
     page.goto(address)
@@ -199,7 +199,7 @@ def opened(browser: BrowserContext, address: str) -> float:
 def profile(
     chromium: BrowserType, executable: str, *arguments: str, **device: Any
 ) -> Iterator[BrowserContext]:
-    """A browser that has seen nothing yet, and keeps what it sees as a reader's does."""
+    """A browser with a fresh profile, which stores files as a reader's does."""
     given = [*launch_arguments(), *arguments]
     with tempfile.TemporaryDirectory() as folder:
         context = chromium.launch_persistent_context(
@@ -207,25 +207,25 @@ def profile(
         )
         try:
             context.set_default_timeout(LONGEST_MS)
-            context.add_init_script(NOTE)
+            context.add_init_script(RECORD_TIMES)
             yield context
         finally:
             context.close()
 
 
 @contextmanager
-def laid_out() -> Iterator[str]:
-    """The address of the built book, with the other page beside it."""
+def serve_with_plain_page() -> Iterator[str]:
+    """The address of the built book, with the plain page beside it."""
     with tempfile.TemporaryDirectory() as folder:
         served = Path(folder) / "site"
         shutil.copytree(SITE, served)
-        lay_out_plain(served / PLAIN)
+        write_plain_page(served / PLAIN)
         with serving(served) as server:
             yield server.url
 
 
-def lay_out_plain(folder: Path) -> None:
-    """The other page: Pyodide's release, the modules of the scene, and a table of packages."""
+def write_plain_page(folder: Path) -> None:
+    """Write the plain page with Pyodide's release, the scene's modules and a table of packages."""
     folder.mkdir()
     fetched = fetch_runtime()
     for file in fetched.values():
@@ -245,7 +245,7 @@ def lay_out_plain(folder: Path) -> None:
     modules = book_modules(ROOT / "simulations")
     used = reach(imports_of(modules), scene_module(SCENE))
     (folder / "simulations.zip").write_bytes(chunk_archive(modules, used))
-    page = DRAWN.replace("MODULE", scene_module(SCENE))
+    page = PLAIN_PAGE.replace("MODULE", scene_module(SCENE))
     (folder / "index.html").write_text(page, encoding="utf-8")
 
 

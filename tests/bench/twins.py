@@ -1,10 +1,10 @@
-"""Figures beside plain JavaScript: ``PYTHONPATH=tests python -m bench.twins``.
+"""Figures compared with plain JavaScript: ``PYTHONPATH=tests python -m bench.twins``.
 
-The pictures of three figures are drawn by hand-written scripts too (``js/twins.js``), from the same
-data; that they are the same pictures is checked first. Then a hand drags the slider of each, or
-chooses from its list, seen from outside as in `bench.drag`. The ratio of the medians is the
-bound: what the figure does besides, its drawings, readouts and words, counts against it. From
-outside nothing is quicker than the screen's refresh, so the time to compute is kept as well.
+Hand-written scripts (``js/twins.js``) draw the pictures of three figures from the same data; the
+pictures are compared first. Then a script drags the slider of each, or chooses from its list, and
+measures latencies as in `bench.drag`. The bound is on the ratio of the medians, so that drawings,
+readouts and texts of the figure count against it. No latency is shorter than a display frame, so
+the computing time is recorded as well.
 """
 
 import base64
@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from bench.costs import keep
+from bench.costs import store_section
 from bench.drag import DRAG, MOVES, ROUNDS, figure_at_rest, hand_script, open_book, read_book
 from numpy.typing import NDArray
 from playwright.sync_api import JSHandle, Page
@@ -27,7 +27,7 @@ from simulations.scenes._ball import CENTRE, HEIGHT, PIXELS_PER_UNIT, RADIUS_PX,
 from simulations.scenes.lens_distortion.stages import FOCAL_PX, HEIGHT_PX, MARGIN_PX, WIDTH_PX
 
 FAR_CODES, FAR_SHARE = 2, 0.005
-"""Codes by which this share of a picture may differ: at edges of the model, such as a rim."""
+"""This share of a picture may differ by more than so many codes, at edges such as a rim."""
 CHOOSE = "([drag, figure, hand]) => drag.choose({...hand, figure})"
 
 INSTALL = """([twins, twin, given, slider]) => {
@@ -67,7 +67,7 @@ INSTALL = """([twins, twin, given, slider]) => {
 
 @dataclass(frozen=True, slots=True)
 class Twin:
-    """A picture that both can draw."""
+    """A picture drawn by Python and by plain JavaScript."""
 
     scene: str
     control: str
@@ -75,16 +75,16 @@ class Twin:
     """Name in ``js/twins.js``."""
     panel: str
     given: Mapping[str, Any]
-    """Data that are computed once."""
+    """Data for the script, computed once."""
     entries: tuple[str, ...] = ()
-    """For a list in place of a slider: the entry that is timed, then others, by which it leaves the
+    """For a list in place of a slider: the entry that is timed, then others that push it out of the
     cache."""
     settings: Mapping[str, Any] = field(default_factory=dict)
     """Values of the other controls."""
 
     @property
     def values(self) -> tuple[Any, ...]:
-        """Values of the control at which the pictures are compared."""
+        """Values of the control at which both pictures are compared."""
         if self.entries:
             return self.entries[:1]
         slider = slider_of(self)
@@ -162,7 +162,7 @@ def slider_of(twin: Twin) -> Slider:
 
 
 def expected(twin: Twin, value: Any) -> Raster:
-    """The picture by Python."""
+    """The picture drawn by Python."""
     scene = load_scene(twin.scene)
     frame = scene.render(scene.check({**twin.settings, twin.control: value}), "", StageCache())
     (raster,) = (panel.raster for panel in frame.panels if panel.name == twin.panel)
@@ -170,8 +170,9 @@ def expected(twin: Twin, value: Any) -> Raster:
     return raster
 
 
-def installed(page: Page, twin: Twin) -> JSHandle:
-    """The twin on the page, as a figure that can be dragged; raises where it draws otherwise."""
+def install(page: Page, twin: Twin) -> JSHandle:
+    """Install the twin on the page as a figure with a control; raises `SystemExit` if its pictures
+    differ."""
     figure = page.evaluate_handle(
         INSTALL, [hand_script(page, "twins.js"), twin.function, twin.given, twin.hand]
     )
@@ -181,12 +182,12 @@ def installed(page: Page, twin: Twin) -> JSHandle:
         ours = expected(twin, value).reshape(-1).astype(int)
         far = float(np.mean(np.abs(drawn - ours) > FAR_CODES))
         if far > FAR_SHARE:
-            raise SystemExit(f"{twin.function} at {value}: {far:.1%} of the codes are others")
+            raise SystemExit(f"{twin.function} at {value}: {far:.1%} of the codes differ")
     return figure
 
 
 def medians(page: Page, twin: Twin, figure: JSHandle) -> tuple[float, float]:
-    """Medians in milliseconds: of the time from outside, and of the picture alone."""
+    """Medians in milliseconds of the latency and of the computing time."""
     drag = hand_script(page)
     if twin.entries:
         value, *others = twin.entries
@@ -208,7 +209,7 @@ def main() -> None:
             page.goto(address + url)
             figure = figure_at_rest(page, twin.scene)
             python, whole = medians(page, twin, figure)
-            plain, loop = medians(page, twin, installed(page, twin))
+            plain, loop = medians(page, twin, install(page, twin))
             ratio = round(python / plain, 2)
             found[twin.scene] = {
                 "ms": round(python, 1),
@@ -221,7 +222,7 @@ def main() -> None:
                 f"{twin.scene:20} {twin.control:12} figure {python:5.1f} ms, plain JavaScript "
                 f"{plain:5.1f} ms: × {ratio:.2f} (computing {whole:.1f} and {loop:.1f} ms)"
             )
-    keep("twins", found)
+    store_section("twins", found)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ from typing import Any
 
 import bench.slowed
 import pytest
-from bench.costs import beyond, keep
+from bench.costs import over_budget, store_section
 from bench.drag import Drag, summary
 
 BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_time())"
@@ -26,14 +26,14 @@ BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_t
     ],
 )
 def test_cost_beyond_its_budget_or_not_measured_is_reported(cold: Any, named: list[str]) -> None:
-    assert [*beyond({"start": {"cold": cold}}, {"start": {"cold": {"ratio": 0.45}}})] == named
+    assert [*over_budget({"start": {"cold": cold}}, {"start": {"cold": {"ratio": 0.45}}})] == named
 
 
 def test_one_section_of_costs_is_replaced_and_others_stay(tmp_path: Path) -> None:
     file = tmp_path / "costs.json"
-    keep("start", {"ratio": 0.4}, file)
-    keep("bytes", {"paint_kb": 99}, file)
-    keep("start", {"ratio": 0.3}, file)
+    store_section("start", {"ratio": 0.4}, file)
+    store_section("bytes", {"paint_kb": 99}, file)
+    store_section("start", {"ratio": 0.3}, file)
     stored = json.loads(file.read_text(encoding="utf-8"))
     assert stored == {"bytes": {"paint_kb": 99}, "start": {"ratio": 0.3}}
 
@@ -47,7 +47,7 @@ def test_slowed_program_takes_proportionally_longer() -> None:
 
 
 def drag(slow: int) -> Drag:
-    """Of 24 moves at a quarter of the speed, so many are late, and drawn at a cheap level."""
+    """A drag of 24 moves at a quarter of the speed; ``slow`` of them are late and cheap."""
     latencies = [90.0] * slow + [50.0] * (24 - slow)
     levels = ["cheap"] * slow + ["best"] * (24 - slow)
     return Drag("one", "a", 4.0, latencies, [1.0], levels, "best")

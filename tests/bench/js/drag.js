@@ -1,9 +1,9 @@
 /**
- * A hand at one slider, as seen from outside the book's scripts: from an event that moves it to
- * the first animation frame after the one that shows what came of it.
+ * Moves of a slider, timed independently of the book's scripts, from the event to the first
+ * animation frame after the one that shows the result.
  *
- * The event is given at the start of an animation frame, as browsers give those of a pointer. The
- * next one follows when the last is answered.
+ * Events are dispatched at the start of an animation frame, as browsers do with pointer events; the
+ * next event follows after the last result.
  */
 
 /** Longest wait for a frame, in milliseconds. */
@@ -11,19 +11,19 @@ const PATIENCE = 20_000;
 /**
  * @typedef {{latencies: number[], computes: number[]}} Moved Milliseconds from the event to the
  *   animation frame, and in Python.
- * @typedef {Moved & {levels: string[], rest: string}} Dragged The levels that were shown, and the one
+ * @typedef {Moved & {levels: string[], rest: string}} Dragged The levels of the moves, and the level
  *   at rest.
  */
 
-/** From a hand's first move to its hold on a slider: nothing new is computed ahead meanwhile. */
+/** From the pointer's first move to its first event; nothing is computed in advance meanwhile. */
 const APPROACH = 400;
 
 /**
  * Drag a slider of a figure from end to end and back.
  *
  * @param {{figure: HTMLElement, name: string, moves: number, rounds: number}} hand The slider's
- *   name, into how many moves its way is parted, how often it is walked.
- * @returns {Promise<Dragged>} Of each move.
+ *   name, the number of moves from end to end, and the number of rounds.
+ * @returns {Promise<Dragged>} With an entry for each move.
  */
 export async function drag({ figure, name, moves, rounds }) {
   const range = /** @type {HTMLInputElement} */ (figure.querySelector(`input[name="${name}"]`));
@@ -36,22 +36,22 @@ export async function drag({ figure, name, moves, rounds }) {
     const last = range.value;
     range.value = String(from + (to - from) * place);
     if (range.value === last) continue;
-    found.latencies.push(await answered(figure, range, "input"));
+    found.latencies.push(await latencyOf(figure, range, "input"));
     found.computes.push(Number(figure.dataset.computeMs));
     found.levels.push(level(figure));
   }
   range.value = before;
   for (const type of ["input", "change"]) range.dispatchEvent(new Event(type, { bubbles: true }));
-  await resting(figure);
+  await untilAtRest(figure);
   return { ...found, rest: level(figure) };
 }
 
 /**
- * Choose one entry of a list again and again, others in between: as many as a figure may have at
- * hand, so that it draws the one anew.
+ * Choose one entry of a list again and again, with enough others in between that its frame leaves
+ * the cache.
  *
  * @param {{figure: HTMLElement, name: string, value: string, others: string[], rounds: number}} hand
- * @returns {Promise<Moved>} Of that one.
+ * @returns {Promise<Moved>} For that entry.
  */
 export async function choose({ figure, name, value, others, rounds }) {
   const list = /** @type {HTMLSelectElement} */ (figure.querySelector(`select[name="${name}"]`));
@@ -60,25 +60,25 @@ export async function choose({ figure, name, value, others, rounds }) {
   for (let round = 0; round < rounds; round += 1) {
     for (const entry of [...others, value]) {
       list.value = entry;
-      const latency = await answered(figure, list, "change");
+      const latency = await latencyOf(figure, list, "change");
       if (entry !== value) continue;
       found.latencies.push(latency);
       found.computes.push(Number(figure.dataset.computeMs));
     }
   }
-  await resting(figure);
+  await untilAtRest(figure);
   return found;
 }
 
 /**
- * Give the event of a control, at the start of an animation frame.
+ * Dispatch an event of a control at the start of an animation frame.
  *
  * @param {HTMLElement} figure
  * @param {HTMLElement} control
  * @param {string} type
- * @returns {Promise<number>} Milliseconds to the animation frame after the one that shows the answer.
+ * @returns {Promise<number>} Milliseconds to the animation frame after the one that shows the result.
  */
-async function answered(figure, control, type) {
+async function latencyOf(figure, control, type) {
   await nextFrame();
   const begun = performance.now();
   const painted = frameAfter(figure);
@@ -89,7 +89,7 @@ async function answered(figure, control, type) {
 }
 
 /**
- * Turn a slider as fast as events come, for so many frames.
+ * Move a slider in each animation frame, until the figure has drawn so many frames.
  *
  * @param {{figure: HTMLElement, name: string, frames: number}} hand
  */
@@ -101,11 +101,11 @@ export async function exercise({ figure, name, frames }) {
     range.dispatchEvent(new Event("input", { bubbles: true }));
     await nextFrame();
   }
-  await resting(figure);
+  await untilAtRest(figure);
 }
 
 /**
- * Up and down between 0 and 1.
+ * Positions up and down between 0 and 1.
  *
  * @param {number} moves
  * @param {number} rounds
@@ -122,7 +122,7 @@ function nextFrame() {
 }
 
 /**
- * The level of the frame that is shown; empty where the scene has only one.
+ * The level of the present frame; empty if the scene has only one.
  *
  * @param {HTMLElement} figure
  */
@@ -158,7 +158,7 @@ function frameAfter(figure) {
 }
 
 /** @param {HTMLElement & {rests?: boolean}} figure */
-async function resting(figure) {
+async function untilAtRest(figure) {
   const end = performance.now() + PATIENCE;
   while (!figure.rests && performance.now() < end) await nextFrame();
 }

@@ -1,6 +1,6 @@
 /**
- * Pictures of three figures by plain JavaScript, as one would write it by hand: one loop over the
- * pixels, from what Python computed once to the bytes of a canvas.
+ * The pictures of three figures in plain JavaScript, as written by hand: one loop over the pixels,
+ * from data that Python computed once to the bytes of a canvas.
  */
 
 /**
@@ -10,8 +10,8 @@
  * @typedef {Size & {centreX: number, centreY: number, radius: number, albedo: number,
  *   backdrop: Uint8Array,
  *   wall: Float32Array}} Ball The wall behind the ball, as bytes and in linear light.
- * @typedef {Size & {cells: Float32Array}} Mosaic What each cell counted, in linear light: red ones
- *   on even rows and columns, blue ones on odd.
+ * @typedef {Size & {cells: Float32Array}} Mosaic The signal of each cell in linear light; red cells
+ *   are on even rows and columns, blue ones on odd.
  */
 
 /** @param {number} light */
