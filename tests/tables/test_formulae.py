@@ -1,5 +1,4 @@
-"""TeX to MathML, to words, to symbols: what authors write is set as TeX would set it, said as the
-field says it, and refused where it cannot be set."""
+"""TeX in Markdown: its MathML, its alternative text and its symbols."""
 
 import re
 from xml.etree import ElementTree
@@ -16,7 +15,7 @@ from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.markdown.text.tokens import displayed_parts, glue_formulae
 from site_builder.render.screen import screen_renderer
 
-UNSEEN = "[\u2061\u200b\u00a0\\s]"
+INVISIBLE = "[\u2061\u200b\u00a0\\s]"
 MACROS = {
     "R": r"\mathbb{R}",
     "norm": r"\lVert #1 \rVert",
@@ -31,7 +30,7 @@ def tree(tex: str, *, display: bool = False) -> ElementTree.Element:
 
 
 @pytest.mark.parametrize(
-    ("tex", "shown"),
+    ("tex", "glyphs"),
     [
         (r"\text{% of light}", "%oflight"),
         (r"50\% \text{ of it} + 1", "50%ofit+1"),
@@ -48,12 +47,12 @@ def tree(tex: str, *, display: bool = False) -> ElementTree.Element:
         (r"\pu{1.5e-3 m s^-1}", "1.5⋅10−3ms−1"),
     ],
 )
-def test_a_formula_shows_what_tex_shows(tex: str, shown: str) -> None:
-    assert re.sub(UNSEEN, "", "".join(tree(tex).itertext())) == shown
+def test_formula_has_the_glyphs_that_tex_sets(tex: str, glyphs: str) -> None:
+    assert re.sub(INVISIBLE, "", "".join(tree(tex).itertext())) == glyphs
 
 
 @pytest.mark.parametrize("tex", ["1 := 2", r"P(A\mid B)", "a × b", "a ≤ b", "3 − 2"])
-def test_a_relation_or_an_operator_is_one_however_it_was_typed(tex: str) -> None:
+def test_operators_are_recognised_as_commands_and_as_characters(tex: str) -> None:
     assert {element.text for element in tree(tex).iter("mo")} & set(":=≔|×≤−")
 
 
@@ -65,11 +64,11 @@ def test_a_relation_or_an_operator_is_one_however_it_was_typed(tex: str) -> None
         (r"f_3'^2", r"<msubsup>.*′.*2.*</msubsup>"),
     ],
 )
-def test_a_part_is_drawn_as_it_is_marked(tex: str, markup: str) -> None:
+def test_bold_roles_and_primes_have_their_mathml(tex: str, markup: str) -> None:
     assert re.search(markup, to_mathml(tex, display=False))
 
 
-def test_lines_of_an_array_are_borders_and_columns_of_a_matrix_have_no_style() -> None:
+def test_array_rules_are_cell_borders_and_matrix_cells_have_no_style() -> None:
     cells = tree(r"\begin{array}{c|c} R & t \\ \hline 0 & 1 \end{array}").findall(".//mtd")
     styles = [cell.get("style", "") for cell in cells]
     assert ["border-right" in style for style in styles] == [True, False, True, False]
@@ -79,12 +78,12 @@ def test_lines_of_an_array_are_borders_and_columns_of_a_matrix_have_no_style() -
 
 
 @pytest.mark.parametrize("tex", ["(-x)", "(40, -40)", "a = -b", "2 \\cdot -3", "[-1]"])
-def test_a_minus_after_an_opening_or_an_operator_is_a_sign(tex: str) -> None:
+def test_minus_after_a_bracket_or_operator_is_a_sign(tex: str) -> None:
     assert [e.get("form") for e in tree(tex).iter("mo") if e.text == "−"] == ["prefix"]
 
 
 @given(st.text(alphabet="\\{}<>&\"'ab1^_ $%#~frac", max_size=20))
-def test_no_formula_holds_markup_of_its_author_s(tex: str) -> None:
+def test_html_in_a_formula_does_not_become_markup(tex: str) -> None:
     try:
         found = tree(tex)
     except UnsupportedTexError:
@@ -92,7 +91,7 @@ def test_no_formula_holds_markup_of_its_author_s(tex: str) -> None:
     assert not {element.tag for element in found.iter()} & {"script", "a", "b", "f"}
 
 
-SAID = [
+ALTERNATIVE_TEXTS = [
     (r"R^\top K^{-\top} H^{-1}", "cap R transpose cap K inverse transpose cap H inverse"),
     (r"(u, v, 1)^\top", "open paren u comma v comma 1 close paren transpose"),
     (r"\mathbf{d}'^\top", "bold d prime transpose"),
@@ -135,18 +134,18 @@ SAID = [
 ]
 
 
-@pytest.mark.parametrize(("tex", "said"), SAID)
-def test_a_formula_is_said_in_the_words_of_the_field(tex: str, said: str) -> None:
-    assert tree(tex, display=True).get("alttext") == said
+@pytest.mark.parametrize(("tex", "text"), ALTERNATIVE_TEXTS)
+def test_alternative_text_reads_the_formula_aloud(tex: str, text: str) -> None:
+    assert tree(tex, display=True).get("alttext") == text
 
 
-def test_words_of_a_formula_are_escaped_and_only_english() -> None:
+def test_alternative_text_is_escaped_and_exists_only_in_english() -> None:
     assert tree(r"\text{a ``$<$'' b \& c}").get("alttext")
     assert "alttext" not in to_mathml("x", display=True, language="de")
 
 
-def glued(text: str) -> str:
-    """The paragraph, ``~`` at each place where a line may not break."""
+def with_no_break_spans(text: str) -> str:
+    """The paragraph with ``⟨…⟩`` around text that does not break, and ``~`` for no-break spaces."""
     parser = make_parser()
     tokens = parser.parse(text)
     for block in tokens:
@@ -175,8 +174,10 @@ def glued(text: str) -> str:
         (f"${'x + ' * 10}x$, and", f"⟨{'x + ' * 10}x,⟩ and"),
     ],
 )
-def test_stops_brackets_and_units_stay_on_the_line_of_a_formula(source: str, expected: str) -> None:
-    assert glued(source) == expected
+def test_punctuation_brackets_and_units_stay_on_the_formula_line(
+    source: str, expected: str
+) -> None:
+    assert with_no_break_spans(source) == expected
 
 
 @pytest.mark.parametrize(
@@ -190,7 +191,9 @@ def test_stops_brackets_and_units_stay_on_the_line_of_a_formula(source: str, exp
         (r"x \qquad", ["x"]),
     ],
 )
-def test_a_row_parts_only_at_wide_spaces_outside_of_braces(tex: str, parts: list[str]) -> None:
+def test_displayed_row_is_split_only_at_wide_spaces_outside_braces(
+    tex: str, parts: list[str]
+) -> None:
     assert displayed_parts(tex) == parts
 
 
@@ -206,7 +209,7 @@ def test_a_row_parts_only_at_wide_spaces_outside_of_braces(tex: str, parts: list
         (r"\Delta E \ell", [r"\DeltaE", r"\ell"]),
     ],
 )
-def test_the_symbols_of_a_formula(tex: str, symbols: list[str | None]) -> None:
+def test_symbols_of_a_formula_are_found(tex: str, symbols: list[str | None]) -> None:
     for found, wanted in zip(symbols_of(tex), symbols, strict=True):
         assert wanted is None or found.replace(" ", "") == wanted
 
@@ -223,7 +226,7 @@ def test_the_symbols_of_a_formula(tex: str, symbols: list[str | None]) -> None:
         ("x", "y", False),
     ],
 )
-def test_a_meaning_covers_symbols_that_only_count_differently(
+def test_declared_symbol_covers_symbols_that_differ_only_in_numbers(
     declared: str, symbol: str, covered: bool
 ) -> None:
     assert covers(spelt(declared), spelt(symbol)) is covered

@@ -1,21 +1,22 @@
-"""Markdown and what becomes of it: each case in a file of this folder is a test.
+"""Markdown and its output: each case in a file of this folder is a test.
 
-A case begins with ``======== what it shows``. Its text is the first chapter of a little book.
-``++++++++ FILE`` begins another file of that book, and ``++++++++ end of FILE`` more lines of its
-outline. A chapter without front matter of its own has that of the book, unless it is the ``whole``
-of a file. A line ``^^^ MESSAGE`` stands below the line of which that is reported, and is the
-beginning of the message, behind ``warning:`` where it fails nothing. A row ``TEXT ^^^ MESSAGE`` is
-a paragraph and what is reported of it. Any other report fails the test.
+A case begins with ``======== TITLE``. Its text is the first chapter of a little book.
+``++++++++ FILE`` begins another file of that book, and ``++++++++ end of FILE`` lines that are
+appended to its outline. A chapter without front matter gets a default one, unless the file name
+has ``whole`` before it. A line ``^^^ MESSAGE`` below a line is the beginning of a message about
+that line, with ``warning:`` before it if the build does not fail. A row ``TEXT ^^^ MESSAGE`` is a
+paragraph with the message about it. Any other message fails the test.
 
-Behind ``--------`` follows what comes out: the outline of the chapter, and after ``-------- PART``
-that of another page, or the chapter on ``paper``, as a ``notebook`` or in the ``search``.
+The output follows after ``--------``: the outline of the chapter; and after ``-------- PART`` the
+outline of another page, or the chapter in print (``paper``), as a ``notebook`` or in the
+``search``.
 
-Behind ``-------- changes of FILE`` stand mistakes, ``OLD => NEW ^^^ MESSAGE``. Each is made alone
-where the file has OLD first; ¶ is the end of a line, and … is OLD again. Messages are those that
-are reported in addition: of the line where OLD begins, of another as ``+2 MESSAGE``, or of another
-file as ``PATH:2 MESSAGE``.
+``-------- changes of FILE`` begins a list of mistakes, ``OLD => NEW ^^^ MESSAGE``. Each replaces
+the first OLD of the file by NEW; ¶ is a line break, and … in NEW is OLD. The messages are those
+added by the mistake: about the line where OLD begins, as ``+2 MESSAGE`` about another line, or as
+``PATH:2 MESSAGE`` about another file.
 
-A mismatch writes the case as it is now beside its file, as ``…-changed.md``.
+After a mismatch the present result is beside its file, as ``…-changed.md``.
 """
 
 import re
@@ -41,19 +42,19 @@ REPORT = "^^^ "
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """One book, what is reported of it, and what comes out."""
+    """One book, its messages and its output."""
 
     source: str
-    """The case as it is written."""
+    """The text of the case."""
     files: Mapping[str, str]
-    """Files of the book by path, reports among their lines."""
+    """Files of the book by path, with messages among their lines."""
     parts: Mapping[str, str]
-    """Outlines by the part that is named."""
+    """Outlines by part."""
 
 
 @dataclass(slots=True)
 class Line:
-    """A line of a file, and what is reported of it."""
+    """A line of a file, and the messages about it."""
 
     text: str
     messages: list[str] = field(default_factory=list)
@@ -61,7 +62,7 @@ class Line:
 
 
 def read_cases(file: Path) -> Iterator[tuple[str, Case]]:
-    """Titles and cases."""
+    """The cases of a file with their titles."""
     _, *parts = re.split(r"^={8} (.+)\n", file.read_text(encoding="utf-8"), flags=re.MULTILINE)
     for title, source in zip(parts[::2], parts[1::2], strict=True):
         text, *marked = MARK.split(source)
@@ -72,7 +73,7 @@ def read_cases(file: Path) -> Iterator[tuple[str, Case]]:
 
 
 def read_lines(text: str) -> list[Line]:
-    """Lines of a file, the first of which stands for all before it."""
+    """The lines of a file; the first one has the messages about the file as a whole."""
     lines = [Line("")]
     for line in text.splitlines():
         if line.startswith(REPORT):
@@ -83,8 +84,8 @@ def read_lines(text: str) -> list[Line]:
     return lines
 
 
-def written(name: str, text: str) -> tuple[str, int]:
-    """A file as the book has it, and how many lines stand before what the case says of it."""
+def file_of(name: str, text: str) -> tuple[str, int]:
+    """The content of a file of the book, and the number of lines added before the case's."""
     own = "".join(f"{line.text}\n" + "\n" * line.is_row for line in read_lines(text)[1:])
     before = OUTLINE if name.startswith("end of ") else ""
     if LISTED.fullmatch(name) and not own.startswith("---\n"):
@@ -96,38 +97,38 @@ def path_of(name: str) -> str:
     return name.removeprefix("end of ").removeprefix("whole ")
 
 
-def abridged(message: str, expected: list[str]) -> str:
-    """The message, to where one of those that are expected ends or else to its first semicolon."""
+def cut_to(message: str, expected: list[str]) -> str:
+    """The message, cut where an expected one ends, or else at its first semicolon."""
     head = message if "; did you mean" in message else message.partition("; ")[0]
     return max(filter(message.startswith, expected), key=len, default=head)
 
 
-def said(one: Diagnostic) -> str:
+def text_of(one: Diagnostic) -> str:
     return one.message if one.fails else f"warning: {one.message}"
 
 
 def with_reports(text: str, before: int, found: list[Diagnostic]) -> str:
-    """The text, with what is reported of each line."""
+    """The text with the messages below each line."""
     lines = read_lines(text)
     places = [line for line in lines for _ in range(1 + line.is_row)]
     now: dict[int, list[str]] = {}
     for one in found:
         line = places[min(max(one.line - before, 0), len(places) - 1)]
-        now.setdefault(id(line), []).append(abridged(said(one), line.messages))
-    told = ""
+        now.setdefault(id(line), []).append(cut_to(text_of(one), line.messages))
+    marked = ""
     for place, line in enumerate(lines):
         messages = sorted(now.get(id(line), ()))
         if line.is_row:
-            told += " ^^^ ".join([line.text, *messages]) + "\n"
+            marked += " ^^^ ".join([line.text, *messages]) + "\n"
         else:
-            told += f"{line.text}\n" * (place > 0) + "".join(f"^^^ {each}\n" for each in messages)
-    return told
+            marked += f"{line.text}\n" * (place > 0) + "".join(f"^^^ {each}\n" for each in messages)
+    return marked
 
 
 def with_changes(
     rows: str, path: str, files: Mapping[str, str], make_book: Callable[..., Options]
 ) -> str:
-    """The changes of a file, each with what is then reported in addition."""
+    """The changes of a file, each with the messages that it adds."""
     options = make_book(files=files)
     sound = Counter((one.path, one.message) for one in diagnostics(options))
     text, now = (options.root / path).read_text(encoding="utf-8"), ""
@@ -146,14 +147,14 @@ def with_changes(
             place = f"{one.line - first:+d} " if one.line != first else ""
             place = place if one.path == path else f"{one.path}:{one.line} "
             ends = [each.removeprefix(place) for each in expected]
-            messages.append(place + abridged(said(one), ends))
+            messages.append(place + cut_to(text_of(one), ends))
         now += " ^^^ ".join([change, *sorted(messages)]) + "\n"
     return now
 
 
-def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
-    """The case, with what is reported and what comes out in place of what was expected."""
-    texts = {name: written(name, text) for name, text in case.files.items()}
+def with_present_output(case: Case, make_book: Callable[..., Options]) -> str:
+    """The case with the present messages and output in place of the expected ones."""
+    texts = {name: file_of(name, text) for name, text in case.files.items()}
     packages = {path_of(name).replace("scene.py", "__init__.py"): "" for name in texts}
     files = {"content/book.toml": OUTLINE, **packages}
     files |= {path_of(name): text for name, (text, _) in texts.items()}
@@ -165,7 +166,7 @@ def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
         found = [one for one in found if one.path != path_of(name)]
         head = f"++++++++ {name}\n" if now or name != CHAPTER else ""
         now.append(head + with_reports(text, texts[name][1], own))
-    assert found == [], "reported of files that the case does not show"
+    assert found == [], "messages about files that are not in the case"
     for part, text in case.parts.items():
         if part.startswith(CHANGES):
             path = part.removeprefix(CHANGES)
@@ -185,10 +186,10 @@ def as_it_is_now(case: Case, make_book: Callable[..., Options]) -> str:
         for title, case in read_cases(file)
     ],
 )
-def test_a_case_comes_out_as_it_is_written(
+def test_case_has_the_expected_messages_and_output(
     file: Path, title: str, case: Case, make_book: Callable[..., Options]
 ) -> None:
-    now = as_it_is_now(case, make_book)
+    now = with_present_output(case, make_book)
     changed = file.with_name(f"{file.stem} {title}-changed.md")
     changed.unlink(missing_ok=True)
     if now != case.source:
