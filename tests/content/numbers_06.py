@@ -111,7 +111,7 @@ def excess_of_a_file(picture: str, subsampling: str, quality: int, *, fitted: bo
     scan = data.index(b"\xff\xda")
     start = scan + 2 + int.from_bytes(data[scan + 2 : scan + 4])
     bits = 8 * len(data[start:-2].replace(b"\xff\x00", b"\xff"))
-    return bits / outputs["size"].bits - 1
+    return float(bits / outputs["size"].bits - 1)
 
 
 def sizes_of_files() -> Phrases:

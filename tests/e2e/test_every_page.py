@@ -2,14 +2,13 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, ViewportSize
+from playwright.sync_api import Browser
 from support.page_scripts import SILENT_WORKER
-from support.reader import DESK, PHONE, Reader, visit
+from support.reader import Reader, visit
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
@@ -17,16 +16,16 @@ pytestmark = pytest.mark.browser
 LISTS = ("references/", "lecture-plan/", "glossary/", "symbols/", "index-of-terms/")
 TRANSLATED = ("de/", "de/why-image-formation/")
 LARGER_LETTERS = """html { font-size: 34px !important; }"""
-"""Text twice as large as a phone's default, as readers may set it without zooming."""
+"""Text twice as large as a phone's default, set without zooming."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rule:
-    """A fault that no page may have: its name, a script that lists its places, its argument."""
+    """A fault that no page may have: its name, and a script that lists its places."""
 
-    wrong: str
+    fault: str
     script: str
-    given: Any = None
+    argument: Any = None
 
 
 WIDER = """(width) => {
@@ -70,11 +69,11 @@ SMALL_LABELS = """(least) => [...document.querySelectorAll(
     return [label.textContent, parseFloat(getComputedStyle(label).fontSize) * scale];
   }))
   .filter(([, size]) => size < least)"""
-PRESSED_ON_PAPER = """() => [...document.querySelectorAll("button, select, [type=range]")]
+CONTROLS_ON_PAPER = """() => [...document.querySelectorAll("button, select, [type=range]")]
   .filter((one) => one.checkVisibility()).map((one) => one.outerHTML.slice(0, 80))"""
-SHUT_ON_PAPER = """() => [...document.querySelectorAll(":is(.extremes, .ladder-table) tbody tr")]
+FOLDED_ON_PAPER = """() => [...document.querySelectorAll(":is(.extremes, .ladder-table) tbody tr")]
   .filter((one) => !one.checkVisibility()).map((one) => one.textContent.slice(0, 40))"""
-UNSAID = """() => [...document.querySelectorAll(
+UNNAMED = """() => [...document.querySelectorAll(
     "canvas.live, :is(a, label, .asked, button, h1, h2, h3, figcaption, [id$=-caption]) math")]
   .filter((thing) => !(thing.ariaLabel ?? thing.getAttribute("aria-labelledby")))
   .map((thing) => thing.parentElement.textContent.slice(0, 60))"""
@@ -127,7 +126,7 @@ MOVED = """() => {
 
 
 TOUCH_ON_PURPOSE = ["figure-perspective-projection top: x × (point)"]
-"""In this figure the point is about to cross the plane."""
+"""Labels that touch on purpose: in this figure the point is about to cross the plane."""
 TOUCHING = """(known) => {
   const found = new Set();
   const box = (text) => {
@@ -164,18 +163,18 @@ TOUCHING = """(known) => {
   }
   return [...found].filter((one) => !known.includes(one));
 }"""
-"""A fifth of the line height above and below the letters is empty."""
+"""Lists labels that touch; a fifth of the line height above and below the letters is empty."""
 
 
-OFF_HEADER = """() => [...document.querySelectorAll(".site-header *")]
+OUTSIDE_HEADER = """() => [...document.querySelectorAll(".site-header *")]
   .filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > innerWidth + 1)
   .map((one) => one.className)"""
-COPIED = """() => [...document.querySelectorAll("[data-copy-embed]")]
+EMBED_CODES = """() => [...document.querySelectorAll("[data-copy-embed]")]
   .map(({dataset}) => [new URL(dataset.copyEmbed, location.href).href, +dataset.height])"""
-TALLER = "() => document.documentElement.scrollHeight - innerHeight"
+OVERFLOW = "() => document.documentElement.scrollHeight - innerHeight"
 
 
-FAR = """(most) => {
+FIRST_FIGURE_IS_FAR = """(most) => {
   const panels = document.querySelector('simulation-figure .panels');
   const far = panels ? panels.getBoundingClientRect().top + scrollY : 0;
   return far > most ? [far] : [];
@@ -191,82 +190,89 @@ UNORDERED = """() => [...document.querySelectorAll('.figure-caption')].filter((c
 def fits(width: int) -> list[Rule]:
     return [
         Rule("the page is wider", WIDER, width),
-        *([Rule("has to be pushed sideways", SCROLLED)] if width >= 360 else []),
+        *([Rule("scrolls sideways", SCROLLED)] if width >= 360 else []),
     ]
 
 
-REACH = Rule("scrolls, but not by keyboard", OUT_OF_REACH)
+KEYBOARD = Rule("scrolls, but not by keyboard", OUT_OF_REACH)
 LABELS = Rule("a label is too small", SMALL_LABELS, 12.5)
-LONGEST = Rule("a value at its longest is cut, or moves what is around it", MOVED)
-TOUCHING_LABELS = Rule("a label touches another, a handle or an edge", TOUCHING, TOUCH_ON_PURPOSE)
+LONG_VALUES = Rule("a long value is cut or moves the layout", MOVED)
+TOUCHES = Rule("a label touches another, a handle or an edge", TOUCHING, TOUCH_ON_PURPOSE)
 TOO_FAR = "the first figure is more than two screens away"
-AT_A_DESK = {
+ON_DESKTOP = {
     1440: [
-        *(*fits(1440), REACH, LABELS, TOUCHING_LABELS),
-        Rule(TOO_FAR, FAR, 2 * 900),
-        Rule("a caption stands elsewhere than in the source", UNORDERED),
+        *(*fits(1440), KEYBOARD, LABELS, TOUCHES),
+        Rule(TOO_FAR, FIRST_FIGURE_IS_FAR, 2 * 900),
+        Rule("the place of a caption differs from the source", UNORDERED),
         Rule("a leading picture is small", SMALL_LEADS),
-        Rule("has no name for a screen reader", UNSAID),
+        Rule("has no name for a screen reader", UNNAMED),
     ],
     1280: [
         Rule("lies under the contents", COVERED),
         Rule("shows more than three controls or readouts at first", CROWDED),
     ],
 }
-BY_PHONE = {
+ON_PHONE = {
     390: [
-        *(TOUCHING_LABELS, Rule(TOO_FAR, FAR, 2 * 844)),
+        *(TOUCHES, Rule(TOO_FAR, FIRST_FIGURE_IS_FAR, 2 * 844)),
         Rule("a label is too small", SMALL_LABELS, 10.5),
         Rule("not on one screen: two panels, or one and the controls", OUTSIDE),
         Rule("too small for a finger", TOO_SMALL),
     ],
-    320: [*fits(320), REACH, LONGEST],
+    320: [*fits(320), KEYBOARD, LONG_VALUES],
 }
-PRINTED = ("", "lens-distortion/", "speed-and-accuracy/", "hard-cases/")
-"""With figures, questions, tables of ladders, and hard cases."""
-ON_PAPER = [Rule("can be pressed", PRESSED_ON_PAPER), Rule("is shut", SHUT_ON_PAPER)]
+PRINTED_PAGES = ("", "lens-distortion/", "speed-and-accuracy/", "hard-cases/")
+"""Pages with figures, questions, tables of ladders and hard cases."""
+ON_PAPER = [Rule("is a control", CONTROLS_ON_PAPER), Rule("is folded", FOLDED_ON_PAPER)]
 
 
 def pages(book: Any) -> list[str]:
     return ["", *TRANSLATED, *LISTS, *(chapter["url"] for chapter in book["chapters"])]
 
 
-def found(reader: Reader, rules: Iterable[Rule], where: str) -> Iterator[str]:
+def faults(reader: Reader, rules: Iterable[Rule], where: str) -> Iterator[str]:
     for rule in rules:
-        for what in reader.page.evaluate(rule.script, rule.given):
-            yield f"{where}: {rule.wrong}: {what}"
+        for place in reader.page.evaluate(rule.script, rule.argument):
+            yield f"{where}: {rule.fault}: {place}"
 
 
 @pytest.fixture
-def desk(baseline_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+def desktop(baseline_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
     """A reader whose Python never starts: controls are shown, but change nothing."""
     with visit(baseline_chromium, site_server, SILENT_WORKER) as reader:
         yield reader
     reader.assert_no_errors()
 
 
-def walk(reader: Reader, book: Any, rules_by_width: Mapping[int, Iterable[Rule]]) -> list[str]:
+def faults_of_all_pages(
+    reader: Reader, book: Any, rules_by_width: Mapping[int, Iterable[Rule]]
+) -> list[str]:
     """Faults of all pages at these widths."""
     wrong: list[str] = []
     for address in reader.open_each(pages(book)):
         for width, rules in rules_by_width.items():
             reader.page.set_viewport_size({"width": width, "height": 900 if width > 600 else 800})
-            wrong += found(reader, rules, f"{address or 'landing page'} at {width}")
+            wrong += faults(reader, rules, f"{address or 'landing page'} at {width}")
     return wrong
 
 
-def test_every_page_follows_the_rules_on_a_desktop(desk: Reader, book: Any) -> None:
-    assert walk(desk, book, AT_A_DESK) == []
+def test_every_page_follows_the_rules_on_a_desktop(desktop: Reader, book: Any) -> None:
+    assert faults_of_all_pages(desktop, book, ON_DESKTOP) == []
 
 
 def test_every_page_follows_the_rules_on_a_phone(quiet_phone: Reader, book: Any) -> None:
-    assert walk(quiet_phone, book, BY_PHONE) == []
+    assert faults_of_all_pages(quiet_phone, book, ON_PHONE) == []
 
 
 @pytest.mark.deep
-def test_every_page_fits_other_widths(desk: Reader, book: Any) -> None:
+def test_every_page_fits_other_widths(desktop: Reader, book: Any) -> None:
     others = {width: fits(width) for width in (1000, 360)}
-    assert walk(desk, book, {1920: [LABELS], **others, 390: [*fits(390), LONGEST]}) == []
+    assert (
+        faults_of_all_pages(
+            desktop, book, {1920: [LABELS], **others, 390: [*fits(390), LONG_VALUES]}
+        )
+        == []
+    )
 
 
 RIGHT_EDGES = """table => [...table.querySelectorAll("tr")]
@@ -276,15 +282,15 @@ RIGHT_EDGES = """table => [...table.querySelectorAll("tr")]
   .filter(row => row.length)"""
 
 
-def test_paper_shows_everything_without_controls_or_given_answers(desk: Reader) -> None:
-    page = desk.page
+def test_paper_shows_everything_without_controls_or_given_answers(desktop: Reader) -> None:
+    page = desktop.page
     wrong: list[str] = []
     page.emulate_media(media="print")
-    for address in desk.open_each(PRINTED):
-        wrong += found(desk, ON_PAPER, address)
+    for address in desktop.open_each(PRINTED_PAGES):
+        wrong += faults(desktop, ON_PAPER, address)
     assert wrong == []
     page.emulate_media(media="screen")
-    desk.turn_to("lens-distortion/", live=False)
+    desktop.turn_to("lens-distortion/", live=False)
     question = page.locator("form.quiz[data-kind=single]").first
     question.locator("input[name=answer]").first.check()
     question.locator("button[type=submit]").click()
@@ -292,8 +298,8 @@ def test_paper_shows_everything_without_controls_or_given_answers(desk: Reader) 
     page.emulate_media(media="print")
     assert not question.locator(".feedback").is_visible()
     assert question.locator(".option:visible").count() > 1
-    desk.turn_to("speed-and-accuracy/", live=False)
-    page.set_viewport_size({"width": 640, "height": 900})  # an A4 page within its margins
+    desktop.turn_to("speed-and-accuracy/", live=False)
+    page.set_viewport_size({"width": 640, "height": 900})  # A4 without margins
     tables = page.locator(".ladder table")
     assert tables.count()
     for table in tables.all():
@@ -309,7 +315,7 @@ def test_pages_of_source_code_fit_a_narrow_screen(plain_reader: Reader, built_si
     for page in sorted((built_site / "source").rglob("index.html")):
         address = page.parent.relative_to(built_site).as_posix() + "/"
         plain_reader.open(address, live=False)
-        wrong += found(plain_reader, fits(320), address)
+        wrong += faults(plain_reader, fits(320), address)
     assert wrong == []
 
 
@@ -321,9 +327,9 @@ def test_no_chapter_scrolls_sideways_with_text_twice_as_large(
     wrong: list[str] = []
     for address in plain_reader.open_each(pages(book)):
         plain_reader.page.add_style_tag(content=LARGER_LETTERS)
-        wrong += found(plain_reader, [Rule("the page is wider", WIDER, 390)], address)
+        wrong += faults(plain_reader, [Rule("the page is wider", WIDER, 390)], address)
         plain_reader.page.set_viewport_size({"width": 320, "height": 800})
-        wrong += found(plain_reader, [Rule("lies beside the header", OFF_HEADER)], address)
+        wrong += faults(plain_reader, [Rule("lies outside the header", OUTSIDE_HEADER)], address)
         plain_reader.page.set_viewport_size({"width": 390, "height": 800})
     assert wrong == []
 
@@ -332,79 +338,11 @@ def test_no_chapter_scrolls_sideways_with_text_twice_as_large(
 def test_copied_iframe_shows_the_whole_figure(plain_reader: Reader, book: Any) -> None:
     page, frames = plain_reader.page, []
     for _ in plain_reader.open_each(chapter["url"] for chapter in book["chapters"]):
-        frames += page.evaluate(COPIED)
+        frames += page.evaluate(EMBED_CODES)
     wrong = []
     for address, height in frames:
         page.set_viewport_size({"width": 1000, "height": height})
         page.goto(address)
-        if page.evaluate(TALLER) > 0:
+        if page.evaluate(OVERFLOW) > 0:
             wrong.append(address)
     assert wrong == []
-
-
-AXE_CORE = (files("axe_playwright_python") / "axe.min.js").read_text(encoding="utf-8")
-VIOLATIONS = """async ({only, but, within}) => {
-  await document.fonts.ready;
-  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-  const rules = Object.fromEntries((but ?? []).map((name) => [name, {enabled: false}]));
-  const runOnly = only && {type: 'rule', values: only};
-  const found = await axe.run(within ?? document, {resultTypes: ['violations'], rules, runOnly});
-  return found.violations.filter(({impact}) => impact !== 'minor').map(({id, nodes}) =>
-    `${id}: ${nodes.map(({html}) => html.slice(0, 160)).join(' ')}`);
-}"""
-ALL = {"but": ["scrollable-region-focusable"]}
-"""`OUT_OF_REACH` finds scrollable parts that the keyboard cannot reach."""
-NARROW = {
-    "only": [
-        *("aria-hidden-focus", "button-name", "color-contrast", "label"),
-        *("nested-interactive", "select-name", "summary-name", "target-size"),
-    ]
-}
-"""Rules whose result may differ on a narrow screen."""
-CONTRAST = {"only": ["color-contrast"]}
-OTHERS = (
-    "class/",  # which the title page alone links to
-    "glossary/",
-    "symbols/",
-    "references/",
-    "index-of-terms/",
-    "lecture-plan/",
-    "licences/",
-)
-"""Pages of plain lists, which are the same on a phone."""
-
-
-def violations(reader: Reader, scheme: Any, screen: ViewportSize, rules: Any) -> list[str]:
-    """Violations of axe's rules on the current page, in a light or dark theme."""
-    page = reader.page
-    page.emulate_media(color_scheme=scheme, reduced_motion="reduce")  # nothing half faded
-    page.set_viewport_size(screen)
-    if not page.evaluate("'axe' in globalThis"):
-        page.evaluate(AXE_CORE)
-    return list(page.evaluate(VIOLATIONS, rules))
-
-
-@pytest.mark.deep
-def test_every_page_passes_axe(plain_reader: Reader, book: Any) -> None:
-    urls = [chapter["url"] for chapter in book["chapters"]]
-    assert_accessible(plain_reader, ["", *OTHERS, *urls])
-    plain_reader.turn_to(urls[-1], live=False)
-    assert violations(plain_reader, "dark", DESK, CONTRAST) == [], "the desktop layout"
-
-
-def test_chapter_passes_axe(plain_reader: Reader) -> None:
-    assert_accessible(plain_reader, ["why-image-formation/"])
-
-
-def assert_accessible(plain_reader: Reader, addresses: Iterable[str]) -> None:
-    for address in plain_reader.open_each(addresses):
-        assert violations(plain_reader, "light", DESK, ALL) == [], address
-        screen, rules = (DESK, CONTRAST) if address in OTHERS else (PHONE, NARROW)
-        assert violations(plain_reader, "dark", screen, rules) == [], f"{address}, dark"
-
-
-def test_live_figure_passes_axe(visitor: Reader) -> None:
-    visitor.turn_to("lens-distortion/")
-    visitor.open_stage_report(visitor.figure("lens-distortion"))
-    assert violations(visitor, "light", DESK, {**ALL, "within": "simulation-figure"}) == []
-    visitor.page.emulate_media(color_scheme="null", reduced_motion="null")

@@ -7,8 +7,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, expect
 from support.page_scripts import SILENT_WORKER
-from support.reader import Reader
-from support.steps import step
+from support.reader import Reader, step
 
 from simulations.registry import load_scene
 

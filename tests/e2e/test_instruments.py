@@ -1,8 +1,7 @@
-"""The reader's photographs in the instruments of a page; results agree with CPython."""
+"""Results of the instruments from the reader's photographs agree with CPython."""
 
 import io
 import json
-import struct
 from base64 import b64encode
 from collections.abc import Sequence
 from pathlib import Path
@@ -10,18 +9,15 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PIL import Image
-from PIL.PngImagePlugin import PngInfo
-from playwright.sync_api import Dialog, Locator, expect
+from playwright.sync_api import expect
 from pypdf import PdfReader
 from support.charts import as_srgb, gaussian_edge, gaussian_half, light_of, pairs_of
 from support.dng import dng
 from support.engines import ENGINES, open_engine
 from support.engines.engine import Engine, wait_for
-from support.limits import limit_ms
-from support.reader import Reader
+from support.instruments import PAGE, Instrument, png, write_files
+from support.reader import Reader, step
 from support.static_server import StaticServer
-from support.steps import step
 
 from simulations.engine.controls import PointLists
 from simulations.engine.photograph import Codes, Mosaic, Photograph
@@ -36,18 +32,7 @@ from simulations.scenes.single_view.files import as_json
 from simulations.scenes.single_view.lines import FOCAL_PX, ROOMS, SIZE
 
 pytestmark = pytest.mark.browser
-
-PAGE = "measure-your-camera/"
 CORNER = ROOMS["corner"]
-
-
-def edge(angle_deg: float, sigma_px: float) -> Codes:
-    """A photograph (H, W, 3) of an edge."""
-    light = gaussian_edge(480, 640, angle_deg, sigma_px)
-    return np.repeat(np.rint(60.0 + 120.0 * light).astype(np.uint8)[..., None], 3, axis=2)
-
-
-EDGES = {"soft.png": edge(5.0, 1.2), "sharp.png": edge(-4.0, 0.7)}
 
 LEVELS = (20.0, 60.0, 110.0, 170.0)
 EVEN = [as_srgb(light_of(level, 2 * k + i)) for k, level in enumerate(LEVELS) for i in (0, 1)]
@@ -90,229 +75,6 @@ def sheet_of_raw() -> list[list[str]]:
     facts = [{"exposure_s": 0.01 * (k // 2 + 1), **camera} for k in range(len(RAW))]
     numbered = enumerate(zip(facts, mosaics, strict=True))
     return transfer_sheet([Photograph(k, picture, "", *each) for k, each in numbered])
-
-
-def png(codes: Codes) -> bytes:
-    """A PNG file whose gamma chunk, claiming linear codes, must be ignored."""
-    file, info = io.BytesIO(), PngInfo()
-    info.add(b"gAMA", struct.pack(">I", 100_000))
-    Image.fromarray(codes).save(file, "PNG", pnginfo=info)
-    return file.getvalue()
-
-
-def write_files(folder: Path, contents: dict[str, bytes]) -> list[Path]:
-    for name, content in contents.items():
-        (folder / name).write_bytes(content)
-    return [folder / name for name in contents]
-
-
-class Instrument:
-    """One instrument of the page."""
-
-    def __init__(self, reader: Reader, scene: str) -> None:
-        self.reader = reader
-        self.figure = reader.page.locator(f"simulation-figure[data-simulation={scene}]")
-        self.whole = reader.page.locator("figure", has=self.figure)
-        self.box = self.whole.locator(".intake")
-        self.status = self.box.locator(".intake-said")
-        self.photographs = self.box.locator(".intake-photo")
-        reader.scroll_to(self.box)
-        reader.settle(self.figure)
-
-    def give(self, files: Sequence[Path]) -> None:
-        self.box.locator("input[type=file]").set_input_files(files)
-
-    def add(self, files: Sequence[Path]) -> None:
-        with self.reader.next_frame(self.figure):
-            self.give(files)
-        expect(self.status).to_contain_text("ready")
-
-    def click(self, button: Locator) -> None:
-        """Click, and wait for the frame that this makes."""
-        with self.reader.next_frame(self.figure):
-            button.click()
-
-    def clear(self) -> None:
-        self.box.locator(".intake-clear").click()
-
-    def states(self) -> list[str]:
-        return [one.get_attribute("data-state") or "" for one in self.photographs.all()]
-
-    def readout(self, name: str) -> Locator:
-        return self.figure.locator(f"output[name={name}]")
-
-    def sheet(self) -> Any:
-        """The data sheet's part for the only instrument in use, saved as JSON."""
-        page = self.reader.page
-        with page.expect_download() as download:
-            page.locator(".data-sheet").get_by_role("button", name="Save as JSON").click()
-        text = download.value.path().read_text(encoding="utf-8")
-        (part,) = json.loads(text)["instruments"]
-        return {**part, "lines": [[line["label"], line["text"]] for line in part["lines"]]}
-
-
-@pytest.fixture
-def instrument(reader: Reader) -> Instrument:
-    reader.open(PAGE)
-    return Instrument(reader, "slanted-edge")
-
-
-def edge_files(folder: Path) -> list[Path]:
-    """Two photographs, and four invalid files."""
-    dot = png(np.zeros((1, 1, 3), np.uint8))
-    huge = dot[:16] + struct.pack(">II", 20_000, 20_000) + dot[24:]
-    heic = b"\0\0\0\x18ftypheic" + bytes(64)
-    edges = {name: png(codes) for name, codes in EDGES.items()}
-    bomb = io.BytesIO()
-    Image.new("L", (8, 8)).save(bomb, "JPEG")
-    few = bomb.getvalue().replace(struct.pack(">HH", 8, 8), struct.pack(">HH", 20_000, 20_001))
-    broken = {"dot.png": dot, "phone.heic": heic, "huge.png": huge, "huge.jpg": few}
-    return write_files(folder, {**edges, **broken})
-
-
-def slanted_edge_sheet(name: str, given: dict[str, Any]) -> list[list[str]]:
-    """The lines of the slanted-edge data sheet, computed in CPython."""
-    scene, codes = load_scene("slanted-edge"), EDGES[name]
-    facts = {"full_width": codes.shape[1], "full_height": codes.shape[0]}
-    settings, own = scene.check(given), Photograph(1, codes, name, facts)
-    outputs = scene.run(settings, "", StageCache(), own).outputs
-    assert scene.instrument.sheet
-    return [[line.label, line.text] for line in scene.instrument.sheet(settings, outputs)]
-
-
-def test_photographs_are_measured_viewed_removed_refused_and_stored(
-    instrument: Instrument, tmp_path: Path
-) -> None:
-    """Stored photographs are deleted when storing is turned off; a photograph that was being read
-    when the page was left is read after a reload."""
-    reader, figure, box = instrument.reader, instrument.figure, instrument.box
-    photographs, status = instrument.photographs, instrument.status
-    before = instrument.readout("per_px").inner_text()
-    files = edge_files(tmp_path)
-    with step("samples are read"):
-        with reader.next_frame(figure):
-            box.get_by_role("button", name="Try with samples").press("Enter")
-        expect(status).to_have_text("6 of 6 photographs are ready.")
-        expect(box.get_by_label("Keep on this device")).to_be_hidden()
-    with step("the reader's files replace them, and unfit ones say why they are refused"):
-        instrument.add(files)  # the samples make room
-        assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
-        expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
-        expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
-        expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
-        expect(photographs.nth(5)).to_contain_text("20001")
-        expect(status).to_contain_text("4 are refused")
-        expect(reader.page.locator(".data-sheet-files")).to_have_text("soft.png")
-    with step("the data sheet has the results of CPython"):
-        instrument.click(figure.get_by_role("button", name="Keep this place"))
-        part = instrument.sheet()
-        assert part["photographs"] == ["soft.png"]
-        assert part["settings"]["kept"]
-        assert part["lines"] == slanted_edge_sheet("soft.png", part["settings"])
-    with step("one photograph after the other is viewed, removed and cleared"):
-        soft = instrument.readout("per_px").inner_text()
-        instrument.click(photographs.nth(1).locator(".intake-look"))
-        assert float(instrument.readout("per_px").inner_text()) > float(soft)
-        instrument.click(photographs.nth(1).locator(".intake-remove"))
-        expect(instrument.readout("per_px")).to_have_text(soft)
-        instrument.click(box.locator(".intake-clear"))
-        expect(instrument.readout("per_px")).to_have_text(before)
-        expect(photographs).to_have_count(0)
-    with step("damaged EXIF data does no harm, and a file is read only once"):
-        damaged = tmp_path / "damaged.jpg"
-        beyond = b"Exif\0\0II*\0\xff\xff\xff\xff"  # where its directory would begin
-        Image.fromarray(EDGES["soft.png"]).save(damaged, quality=95, exif=beyond)
-        instrument.add([damaged])
-        instrument.give([damaged, files[0]])
-        expect(photographs).to_have_count(2)
-        expect(status).to_have_text("2 of 2 photographs are ready. “damaged.jpg” is here already.")
-        instrument.clear()
-
-    with step("reading is stopped and continued"):
-        reader.page.evaluate(SLOW_TO_OPEN)
-        many = write_files(
-            tmp_path, {f"{number}.png": png(EDGES["soft.png"]) for number in range(3)}
-        )
-        instrument.give(many)
-        box.get_by_role("button", name="Stop").click()
-        reader.page.evaluate("window.open_pictures()")
-        expect(status).to_have_text("Stopped. What is ready stays.")
-        expect(box.locator("[data-state=reading]")).to_have_count(0)
-        assert "waiting" in instrument.states()
-        box.get_by_role("button", name="Continue").click()
-        expect(status).to_have_text("3 of 3 photographs are ready.")
-        instrument.clear()
-
-    with step("stored photographs are there after a reload"):
-        instrument.add(files)
-        keep = box.get_by_label("Keep on this device")
-        keep.check()
-        wait_stored(reader, 6)
-        reader.open(PAGE)
-        expect(photographs).to_have_count(6)
-        assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
-        expect(instrument.readout("per_px")).to_have_text(soft)
-    with step("leaving asks first once nothing is stored, and then all is gone"):
-        keep.uncheck()
-        wait_stored(reader, 0)
-        dialogs = list[str]()
-
-        def leave(dialog: Dialog) -> None:
-            dialogs.append(dialog.type)
-            dialog.accept()
-
-        reader.page.once("dialog", leave)
-        reader.page.locator("a", has_text="The Digital Sensor").first.click()
-        reader.page.wait_for_url("**/digital-sensor/")
-        assert dialogs == ["beforeunload"]
-        reader.open(PAGE)
-        expect(photographs).to_have_count(0)
-    with step("a photograph that was being read at a reload is read after it"):
-        reader.page.evaluate(SLOW_TO_OPEN)
-        instrument.give(many[:1])
-        expect(photographs).to_have_attribute("data-state", "reading")
-        keep.check()
-        wait_stored(reader, 1)
-        reader.open(PAGE)
-        expect(photographs).to_have_attribute("data-state", "ready")
-
-
-SLOW_TO_OPEN = """() => {
-  const open = createImageBitmap;
-  const allowed = new Promise((resolve) => { window.open_pictures = resolve; });
-  createImageBitmap = async (...given) => {
-    await allowed;
-    return open(...given);
-  };
-}"""
-"""The browser opens no picture before `open_pictures()` is called."""
-
-
-def wait_stored(reader: Reader, count: int) -> None:
-    """Wait until the browser stores this number of photographs."""
-    assert reader.page.evaluate(STORES, [count, limit_ms()])
-
-
-STORES = """async ([count, ms]) => {
-  const stored = async () => {
-    const names = (await indexedDB.databases()).map(({ name }) => name);
-    const name = names.find((name) => name.endsWith('photographs'));
-    if (!name) return 0;
-    const database = await new Promise((resolve) => {
-      indexedDB.open(name).onsuccess = ({ target }) => resolve(target.result);
-    });
-    const request = database.transaction('photographs').objectStore('photographs').count();
-    return new Promise((resolve) => {
-      request.onsuccess = () => { database.close(); resolve(request.result); };
-    });
-  };
-  const end = performance.now() + ms;
-  while (await stored() !== count) {
-    if (performance.now() > end) return false;
-    await new Promise((resolve) => setTimeout(resolve, 20));
-  }
-  return true;
-}"""
 
 
 def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
@@ -508,7 +270,7 @@ CHOOSE = f"""(files) => {{
   input.files = chosen.files;
   input.dispatchEvent(new Event('change', {{bubbles: true}}));
 }}"""
-READS = """(lines) => {
+HAS_LINES = """(lines) => {
   const rows = [...document.querySelectorAll('.data-sheet tr')].map(({cells}) => [...cells]);
   rows.unshift(['what', 'number'].map((part) => document.querySelector(`.data-sheet-${part}`)));
   return rows.length === lines.length && rows.every(([what, value], index) =>
@@ -526,10 +288,10 @@ def test_photographs_and_raw_files_are_measured_in_other_engines(
         engine.open(site_server.url + PAGE)
         wait_for(engine, f"() => Boolean({BOX})")
         choose(engine, {f"{index}.png": png(codes) for index, codes in enumerate(EVEN)})
-        wait_for(engine, READS, sheet_of_even_light())
+        wait_for(engine, HAS_LINES, sheet_of_even_light())
         engine.evaluate(f"() => {BOX}.querySelector('.intake-clear').click()")
         choose(engine, {f"{index}.dng": data for index, data in enumerate(dng_files())})
-        wait_for(engine, READS, sheet_of_raw())
+        wait_for(engine, HAS_LINES, sheet_of_raw())
         assert not engine.errors()
 
 

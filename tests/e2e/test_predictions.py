@@ -10,9 +10,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Locator, Page, Request, expect
 from support.page_scripts import SAVE_DATA
-from support.reader import Reader, visit
+from support.reader import Reader, step, visit
 from support.static_server import StaticServer, serving
-from support.steps import step
 
 pytestmark = pytest.mark.browser
 

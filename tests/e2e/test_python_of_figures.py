@@ -11,8 +11,7 @@ import pytest
 from playwright.sync_api import Locator, expect
 from support.limits import limit_ms
 from support.places import ROOT
-from support.reader import DESK, Reader
-from support.steps import step
+from support.reader import DESK, Reader, step
 
 from simulations.script import script
 

@@ -7,8 +7,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, expect
-from support.reader import Reader
-from support.steps import step
+from support.reader import Reader, step
 
 pytestmark = pytest.mark.browser
 

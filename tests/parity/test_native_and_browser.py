@@ -50,7 +50,7 @@ def resident(guest: Reader) -> Reader:
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
 def test_scene_is_the_same_in_the_browser(resident: Reader, scene_id: str) -> None:
-    assert_same_in_browser(resident, scene_id, [({}, load_scene(scene_id).default_tier)])
+    assert_same_in_browser(resident, scene_id, [({}, load_scene(scene_id).accuracy.default)])
 
 
 @pytest.mark.parametrize(

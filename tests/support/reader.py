@@ -289,3 +289,13 @@ def chapter_of(book: Any, scene: str) -> str:
     """Address of the first chapter that shows a scene."""
     url: str = next(c["url"] for c in book["chapters"] if scene in c["simulations"])
     return url
+
+
+@contextmanager
+def step(name: str) -> Iterator[None]:
+    """A named part of a long test; a failure has a note with the name."""
+    try:
+        yield
+    except BaseException as failure:  # `pytest.fail` raises no Exception
+        failure.add_note(f"in the step: {name}")
+        raise
