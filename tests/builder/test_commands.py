@@ -50,9 +50,7 @@ def run(run: Run) -> Run:
     return lambda name, *more, **book: run(name, "--no-runtime", *more, **book)
 
 
-def test_programs_get_the_fields_that_are_promised(
-    run: Run, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_json_report_has_the_promised_fields(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     assert run("check", "--json", body="A price of 5$ each.\n") == 1
     said = capsys.readouterr()
     assert said.err == ""
@@ -75,16 +73,14 @@ def test_programs_get_the_fields_that_are_promised(
         ("demo: k1: 9 is out of range; legal: -1 to 1", "-1 to 1"),
     ],
 )
-def test_a_proposal_is_parted_from_the_rest_of_a_message(
-    message: str, suggestion: str | None
-) -> None:
+def test_suggestion_is_separated_from_the_message(message: str, suggestion: str | None) -> None:
     assert suggestion_of(message) == suggestion
 
 
 @pytest.mark.parametrize(
     ("message", "column"), [("'bc' is wrong", 2), ("'b' is twice there", None), ("nothing", None)]
 )
-def test_a_column_is_given_where_it_is_certain(
+def test_column_is_given_only_if_it_is_unambiguous(
     tmp_path: Path, message: str, column: int | None
 ) -> None:
     (tmp_path / "a.md").write_text("\nabcb\n")
@@ -102,7 +98,7 @@ def test_a_column_is_given_where_it_is_certain(
         (WARNED, 0, 1, "no mistakes; 1 warning"),
     ],
 )
-def test_mistakes_and_warnings_are_listed_by_file_and_line_and_mistakes_alone_fail(
+def test_mistakes_and_warnings_are_listed_and_only_mistakes_fail(
     run: Run,
     capsys: pytest.CaptureFixture[str],
     body: str,
@@ -119,9 +115,7 @@ def test_mistakes_and_warnings_are_listed_by_file_and_line_and_mistakes_alone_fa
     assert (said.err if mistakes else said.out).splitlines()[-1] == last
 
 
-def test_a_site_is_built_where_it_is_wanted_and_stays_after_a_mistake(
-    run: Run, tmp_path: Path
-) -> None:
+def test_site_is_built_in_the_given_folder_and_survives_a_mistake(run: Run, tmp_path: Path) -> None:
     out = tmp_path / "elsewhere"
     assert run("build", "--out", str(out), body="Good.\n") == 0
     assert (out / "second" / "index.html").is_file()
@@ -131,7 +125,7 @@ def test_a_site_is_built_where_it_is_wanted_and_stays_after_a_mistake(
 
 
 @pytest.mark.parametrize("closed", [1, 2])
-def test_a_command_without_output_ends_with_its_number(closed: int, tmp_path: Path) -> None:
+def test_exit_code_is_kept_when_an_output_stream_is_closed(closed: int, tmp_path: Path) -> None:
     """A folder without a book is 1, and what is printed is lost."""
     command = f"{shlex.quote(sys.executable)} -m site_builder check {closed}>&-"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
@@ -144,7 +138,7 @@ def test_a_command_without_output_ends_with_its_number(closed: int, tmp_path: Pa
     assert "Traceback" not in done.stderr
 
 
-def test_an_interrupted_command_ends_without_a_traceback(
+def test_interrupted_command_exits_without_a_traceback(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(_options: Options) -> None:
@@ -154,7 +148,7 @@ def test_an_interrupted_command_ends_without_a_traceback(
     assert run("check") == 130
 
 
-def test_an_import_that_the_browser_lacks_is_found_as_the_build_finds_it(
+def test_check_and_build_report_an_import_missing_in_the_browser(
     make_book: MakeBook, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     files = {
@@ -180,7 +174,7 @@ def test_an_import_that_the_browser_lacks_is_found_as_the_build_finds_it(
     assert raised.value.diagnostics == (found,)
 
 
-def test_a_module_that_is_no_python_is_found_where_no_chapter_shows_it(
+def test_syntax_error_in_an_unused_module_is_reported(
     make_book: MakeBook,
 ) -> None:
     files = {
@@ -192,7 +186,7 @@ def test_a_module_that_is_no_python_is_found_where_no_chapter_shows_it(
     assert str(found).startswith("simulations/models/broken.py:2: no Python: ")
 
 
-def test_the_hook_runs_the_check_and_refuses_a_commit_with_a_mistake(run: Run) -> None:
+def test_pre_commit_hook_rejects_a_book_with_a_mistake(run: Run) -> None:
     (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
     python, dash, package, *words = shlex.split(hook["entry"])
     assert (python, dash, package) == (".venv/bin/python", "-m", "site_builder")
@@ -215,7 +209,7 @@ def test_the_hook_runs_the_check_and_refuses_a_commit_with_a_mistake(run: Run) -
         ("assert height < 0", "AssertionError"),
     ],
 )  # fmt: skip
-def test_an_exception_is_reported_in_words_with_its_place(
+def test_exception_is_reported_with_its_message_and_place(
     line: str, says: str, tmp_path: Path
 ) -> None:
     source = f"import math\nheight = 3\n\ndef draw():\n    {line}\n"
@@ -226,7 +220,7 @@ def test_an_exception_is_reported_in_words_with_its_place(
         assert cause(raised.value) == f"{says}, at simulations/small/scene.py:5"
 
 
-def test_a_module_that_cannot_be_imported_is_reported_with_its_place(tmp_path: Path) -> None:
+def test_module_that_cannot_be_imported_is_reported_with_its_line(tmp_path: Path) -> None:
     sources = {
         "unread": "def draw(:\n    pass\n",
         "ended": "import os\nos._exit(3)\n",
@@ -245,7 +239,7 @@ def test_a_module_that_cannot_be_imported_is_reported_with_its_place(tmp_path: P
     assert told["drawn"].endswith(", at simulations/small/drawn.py:2")
 
 
-def test_an_exception_of_a_scene_is_reported_once_at_its_line_with_where_it_is_met(
+def test_exception_of_a_scene_is_reported_once_at_its_line_and_figure(
     tmp_path: Path,
 ) -> None:
     problems = Diagnostics()
@@ -271,7 +265,7 @@ def test_an_exception_of_a_scene_is_reported_once_at_its_line_with_where_it_is_m
         ("no description", 6),
     ],
 )
-def test_a_mistake_of_a_scene_is_at_the_line_that_has_what_it_quotes(
+def test_mistake_of_a_scene_is_at_the_line_that_it_quotes(
     message: str, line: int, tmp_path: Path
 ) -> None:
     source = """def fall(termnal):

@@ -66,7 +66,7 @@ def epub(make_book: MakeBook, body: str, files: dict[str, str | None]) -> zipfil
     return zipfile.ZipFile(io.BytesIO(make_epub(compose(options), options.root)))
 
 
-def test_every_address_of_an_e_book_leads_to_a_file_and_an_element(make_book: MakeBook) -> None:
+def test_every_link_of_an_e_book_leads_to_a_file_and_an_element(make_book: MakeBook) -> None:
     book = epub(make_book, BODY, {"content/book.toml": PARTED})
     names = [name for name in book.namelist() if name.endswith(".xhtml")]
     pages = {name: ElementTree.fromstring(book.read(name)) for name in names}
@@ -82,7 +82,7 @@ def test_every_address_of_an_e_book_leads_to_a_file_and_an_element(make_book: Ma
                 assert not fragment or fragment in ids[file], f"{name}: {address}"
 
 
-def test_pictures_of_one_name_in_two_folders_are_two(make_book: MakeBook) -> None:
+def test_pictures_with_equal_names_in_two_folders_are_both_packed(make_book: MakeBook) -> None:
     drawing = '<svg xmlns="http://www.w3.org/2000/svg"><desc>{}</desc></svg>\n'
     files = {f"content/images/{name}/plan b.svg": drawing.format(name) for name in ("one", "two")}
     figures = (f":::{{figure}} {name[8:]}\n:alt: A plan\nA plan.\n:::\n\n" for name in files)
@@ -93,13 +93,13 @@ def test_pictures_of_one_name_in_two_folders_are_two(make_book: MakeBook) -> Non
     assert shown == [["one"], ["two"]]
 
 
-def test_pixels_of_a_drawing_stay_in_its_page(make_book: MakeBook) -> None:
+def test_raster_of_a_drawing_is_a_file_in_the_e_book(make_book: MakeBook) -> None:
     book = epub(make_book, ":::{illustration} similar-triangles\nPlan.\n\n1. A.\n2. B.\n:::\n", {})
     assert book.read(f"{FOLDER}images/drawing.png").startswith(b"\x89PNG")
     assert not any(b"data:" in book.read(name) for name in book.namelist())
 
 
-def test_an_e_book_names_its_authors_and_its_cover(make_book: MakeBook) -> None:
+def test_e_book_names_its_authors_and_cover(make_book: MakeBook) -> None:
     outline = (
         f'{OUTLINE}hero = "demo"\nhero_caption = "The demo."\n[imprint]\ndoi = "10.1000/182"\n'
         'authors = ["A. Lovelace 0000-0002-1825-0097", "C. & B."]\n'
@@ -114,11 +114,11 @@ def test_an_e_book_names_its_authors_and_its_cover(make_book: MakeBook) -> None:
     assert b"ORCID 0000-0002-1825-0097" in book.read(f"{FOLDER}title.xhtml")
 
 
-def test_the_style_of_an_e_book_is_that_of_the_light_theme_without_variables() -> None:
+def test_style_of_an_e_book_has_no_css_variables() -> None:
     assert "var(" not in book_style(ROOT, {"heat": ("#ad4209", "#f79c63")})
 
 
-def test_every_id_of_the_volume_is_unique_every_link_leads_to_one_and_answers_are_last(
+def test_printed_volume_has_unique_ids_valid_links_and_answers_last(
     make_book: MakeBook,
 ) -> None:
     composed = compose(make_book(BODY, {"content/book.toml": PARTED}))
@@ -147,7 +147,7 @@ def links(element: Element) -> list[str]:
 
 
 @pytest.mark.parametrize("pictures", [True, False])
-def test_a_figure_on_paper_shows_its_main_control_at_several_values(
+def test_printed_figure_shows_several_values_of_its_main_control(
     make_book: MakeBook, *, pictures: bool
 ) -> None:
     options = make_book(":::{simulation} demo\n:k1: 0.1\nA caption.\n:::\n")
@@ -172,7 +172,7 @@ def test_a_figure_on_paper_shows_its_main_control_at_several_values(
 
 
 @pytest.mark.browser
-def test_contents_and_links_of_the_pdf_name_the_pages_on_which_things_are(
+def test_page_numbers_in_the_pdf_are_correct(
     make_book: MakeBook,
 ) -> None:
     composed = compose(make_book(BODY))
@@ -192,7 +192,7 @@ NUMBER = "(p.\N{NO-BREAK SPACE}{page})"
 NUMBERED = f'<p><span data-page-of="a"/> <span data-page-of="b" data-page-as="{NUMBER}"/></p>'
 
 
-def test_the_book_is_set_again_until_its_page_numbers_are_its_own() -> None:
+def test_typesetting_repeats_until_page_numbers_are_stable() -> None:
     """Here the numbers push a line onto the next page once they are known."""
 
     def numbers() -> Iterator[dict[str, int]]:
@@ -212,7 +212,7 @@ SLIDER = Slider(name="k1", label="k₁", default=0, minimum=-0.5, maximum=0.5, s
 MENU = Choice(name="m", label="M", default="a", options={name: name for name in "abcdef"})
 
 
-def test_a_control_on_paper_is_shown_at_values_around_the_one_that_is_set() -> None:
+def test_printed_values_of_a_control_surround_the_present_one() -> None:
     assert shown_values(SLIDER, 0.1) == [-0.2, 0.1, 0.3]
     for now in (-0.5, -0.33, 0.0, 0.47, 0.5):
         values = shown_values(SLIDER, now)
@@ -223,7 +223,7 @@ def test_a_control_on_paper_is_shown_at_values_around_the_one_that_is_set() -> N
         assert (len(values), name in values) == (4, True)
 
 
-def test_a_slider_is_prerendered_from_end_to_end_and_where_it_starts() -> None:
+def test_prerendered_values_span_the_slider_and_include_its_start() -> None:
     values = prerendered_frames.shown_values(SLIDER, 0.33)
     assert (values[0], values[-1], len(values)) == (-0.5, 0.5, prerendered_frames.FRAMES + 1)
     assert 0.33 in values
@@ -236,7 +236,7 @@ def test_a_slider_is_prerendered_from_end_to_end_and_where_it_starts() -> None:
 
 
 @pytest.mark.parametrize("missing", [{"pypdf"}, {"Chromium"}, {"playwright", "pypdf", "Chromium"}])
-def test_all_that_a_pdf_needs_is_asked_for_before_any_work(
+def test_all_missing_requirements_of_a_pdf_are_listed_at_once(
     missing: set[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(chromium, "find_spec", lambda name: name not in missing)
@@ -272,7 +272,9 @@ def test_a_notebook_has_frames_files_and_links_to_the_site_where_it_has_an_addre
     assert (f"]({address}second/)" in text) if address else "](" not in text
 
 
-def test_only_a_folder_of_notebooks_is_replaced(run: Callable[..., int], tmp_path: Path) -> None:
+def test_only_an_earlier_folder_of_notebooks_is_replaced(
+    run: Callable[..., int], tmp_path: Path
+) -> None:
     out, full = tmp_path / "out", tmp_path / "full"
     full.mkdir()
     (full / "thesis.txt").touch()
@@ -293,16 +295,14 @@ def test_only_a_folder_of_notebooks_is_replaced(run: Callable[..., int], tmp_pat
         "| Left | Right |\n|:---|---:|\n| one \\| two | `c\\|d` |",
     ],
 )
-def test_a_passage_written_as_markdown_shows_what_its_author_wrote(
-    make_book: MakeBook, body: str
-) -> None:
+def test_markdown_of_a_passage_renders_like_its_source(make_book: MakeBook, body: str) -> None:
     render = MarkdownRenderer({}, lambda _href: "")
     chapter = load(make_book(body)).book.chapters[0]
     written = "\n\n".join(render(prose.words) for prose in contents(chapter.body, Prose))
     assert READ_AGAIN.render(written) == READ_AGAIN.render(body)
 
 
-def test_bars_ticks_and_formulae_keep_their_place() -> None:
+def test_bars_backticks_and_formulae_are_escaped_in_markdown() -> None:
     row = table(["a"], [[r"$|x| = \|y\|$ | z"]]).splitlines()[-1]
     assert row == r"| $\vert x\vert  = \Vert y\Vert $ \| z |"
     assert quoted("So\n\n$$\na\n= b\n$$") == "> So\n>\n> $$a = b$$"

@@ -59,7 +59,7 @@ def asked() -> Iterator[tuple[str, bool]]:
             yield from ((key, not joined) for key, joined in OF_TEMPLATES.findall(text))
 
 
-def test_every_word_that_is_asked_for_is_there_and_every_word_is_asked_for() -> None:
+def test_every_interface_text_exists_and_is_used() -> None:
     keys = ENGLISH.texts
     missing = [
         key
@@ -80,7 +80,7 @@ def forms(text: str | Mapping[str, str]) -> list[str]:
 
 
 @pytest.mark.parametrize("language", languages())
-def test_a_language_has_the_keys_and_placeholders_of_english_and_fits_into_attributes(
+def test_each_language_has_the_keys_and_placeholders_of_english(
     language: str,
 ) -> None:
     def named(words: Words) -> dict[str, tuple[set[str], int]]:
@@ -98,7 +98,7 @@ def test_a_language_has_the_keys_and_placeholders_of_english_and_fits_into_attri
     ]
 
 
-def test_the_form_follows_the_number_and_texts_are_escaped_unless_they_are_markup() -> None:
+def test_plural_follows_the_number_and_texts_are_escaped() -> None:
     words = Words(
         "xx", {"a.b": {"one": "{count} thing", "other": "{count} things"}, "a.c": "{one} & {other}"}
     )
@@ -119,12 +119,12 @@ def test_the_form_follows_the_number_and_texts_are_escaped_unless_they_are_marku
         ("under 0.1", "unter 0,1"),
     ],
 )
-def test_numbers_are_written_as_the_language_does(text: str, german: str) -> None:
+def test_numbers_follow_the_language(text: str, german: str) -> None:
     assert GERMAN.numeral(text) == german
     assert ENGLISH.numeral(text) == text
 
 
-def test_templates_and_scripts_have_no_words_of_their_own() -> None:
+def test_templates_and_scripts_contain_no_text() -> None:
     said = {word for file, text in sources() if "templates" in file.parts for word in bare(text)}
     assert said <= NAMES
     sentence = re.compile(r"""["`]([A-Z][a-z]+ [a-z][^"`]*)["`]""")
@@ -253,7 +253,7 @@ def test_a_language_of_the_book_s_own_is_read_from_its_folder_and_from_right_to_
         ('[language]\ndirection = "left"', "'language.direction'; legal: 'ltr' or 'rtl'"),
     ],
 )
-def test_a_wrong_word_of_the_book_s_own_is_reported_at_its_line(
+def test_invalid_text_of_a_book_language_is_reported_at_its_line(
     line: str, message: str, make_book: MakeBook
 ) -> None:
     outline = OUTLINE + 'language = "xx"\n'

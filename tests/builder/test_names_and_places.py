@@ -47,9 +47,7 @@ def named_book(make_book: MakeBook, root: Path) -> MakeBook:
     )
 
 
-def test_every_address_of_a_page_leads_to_a_file_whatever_its_name(
-    make_book: MakeBook, tmp_path: Path
-) -> None:
+def test_links_lead_to_files_with_unusual_names(make_book: MakeBook, tmp_path: Path) -> None:
     options = named_book(make_book, tmp_path)()
     files = render_site(options)
     page = html.unescape(content_bytes(files["first/index.html"]).decode())
@@ -74,7 +72,7 @@ SIDE_FILES = {
 }
 
 
-def test_side_files_of_editors_and_systems_change_nothing(make_book: MakeBook) -> None:
+def test_side_files_of_editors_are_ignored(make_book: MakeBook) -> None:
     plain = render_site(make_book("Text.\n"))
     assert render_site(make_book("Text.\n", SIDE_FILES)) == plain
 
@@ -88,14 +86,14 @@ TOO_LONG = [
 
 
 @pytest.mark.parametrize(("body", "message"), TOO_LONG)
-def test_a_name_that_is_too_long_is_a_mistake_at_its_line(
+def test_too_long_file_name_or_label_is_reported(
     body: str, message: str, make_book: MakeBook
 ) -> None:
     found = diagnostics(make_book(body, {"content/book.toml": OUTLINE}))
     assert [one.path for one in found if message in one.message] == ["content/00-first.md"]
 
 
-def test_a_chapter_or_panel_whose_name_is_too_long_for_a_file_is_a_mistake(
+def test_too_long_name_of_a_chapter_or_panel_is_reported(
     make_book: MakeBook,
 ) -> None:
     found = diagnostics(make_book("", {"content/book.toml": OUTLINE.replace("00-first", LONG)}))
@@ -114,7 +112,7 @@ def test_a_chapter_or_panel_whose_name_is_too_long_for_a_file_is_a_mistake(
     assert any("names a file" in one.message for one in found)
 
 
-def test_braces_in_the_words_for_numbered_things_are_words(make_book: MakeBook) -> None:
+def test_braces_in_labels_of_numbered_elements_are_text(make_book: MakeBook) -> None:
     own = f'{OUTLINE}[labels]\nfigure = "Fig {{x}} {{% raw %}}"\n'
     files = render_site(make_book("::::{simulation} demo\nA.\n::::\n", {"content/book.toml": own}))
     assert b"Fig {x} {% raw %} 0.1" in content_bytes(files["first/index.html"])
@@ -134,7 +132,7 @@ def mounted(folder: Path) -> Path:
 
 
 @pytest.mark.parametrize("place", [linked, mounted])
-def test_a_site_that_is_a_link_or_a_mount_point_is_filled_again_and_again(
+def test_site_folder_that_is_a_link_or_mount_point_is_rewritten(
     place: Callable[[Path], Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     out, rename = place(tmp_path), Path.rename
@@ -155,7 +153,7 @@ def test_a_site_that_is_a_link_or_a_mount_point_is_filled_again_and_again(
     assert out.is_symlink() == (place is linked)
 
 
-def test_the_scenes_of_a_book_are_found_where_python_leaves_out_its_folder(tmp_path: Path) -> None:
+def test_scenes_are_found_though_the_book_is_not_on_the_python_path(tmp_path: Path) -> None:
     scenes = tmp_path / "simulations" / "scenes"
     scenes.mkdir(parents=True)
     for name in ("__init__", "own"):

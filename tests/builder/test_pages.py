@@ -48,14 +48,14 @@ def pages(site: Mapping[str, bytes]) -> Mapping[str, Page]:
     return {path: read_html(page) for path, page in site.items() if path.endswith(".html")}
 
 
-def test_a_book_has_no_page_that_it_has_nothing_for(pages: Mapping[str, Page]) -> None:
+def test_book_has_no_empty_pages(pages: Mapping[str, Page]) -> None:
     folders = {path.removesuffix("index.html") for path in pages}
     module = "source/simulations/models/thing/"
     embeds = {"embed/first/figure-demo/", "embed/first/figure-demo-2/"}
     assert folders == {"", "404.html", "first/", "second/", "class/", "licences/", module, *embeds}
 
 
-def test_every_relative_address_leads_to_a_file_or_an_element(
+def test_every_relative_link_leads_to_a_file_or_an_element(
     site: Mapping[str, bytes], pages: Mapping[str, Page]
 ) -> None:
     def ids(path: str) -> set[str | None]:
@@ -77,7 +77,7 @@ def resolved(page: str, file: str) -> str:
     return target if "." in posixpath.basename(target) else f"{target}/index.html".lstrip("/")
 
 
-def test_the_catalogue_has_the_controls_of_figures_and_the_options_of_questions(
+def test_catalogue_has_controls_of_figures_and_options_of_questions(
     site: Mapping[str, bytes],
 ) -> None:
     book = json.loads(site["book.json"])
@@ -90,7 +90,7 @@ def test_the_catalogue_has_the_controls_of_figures_and_the_options_of_questions(
     assert quiz["options"] == [{"text": "4", "correct": False}, {"text": "6", "correct": True}]
 
 
-def test_licences_of_all_that_is_shipped_are_given_in_full(site: Mapping[str, bytes]) -> None:
+def test_licences_of_all_shipped_parts_are_complete(site: Mapping[str, bytes]) -> None:
     """Licences of the interpreter are where it is."""
     of_the_runtime = (
         "Mozilla Public License Version 2.0",
@@ -104,7 +104,7 @@ def test_licences_of_all_that_is_shipped_are_given_in_full(site: Mapping[str, by
     assert all(phrase in told for phrase in of_the_runtime)
 
 
-def test_the_title_page_has_starts_parts_and_the_first_figure_of_a_chapter(
+def test_title_page_has_starts_parts_and_the_first_figure_of_a_chapter(
     make_book: MakeBook,
 ) -> None:
     more = '[starts]\n"Begin" = "second"\n"Look" = "second#a-section"\n'
@@ -146,7 +146,7 @@ HOST = "https://host.example/"
     ],
     ids=["published", "with trusted HTML", "not published, for tools"],
 )
-def test_a_page_runs_its_own_scripts_by_their_hash_and_what_its_author_is_trusted_with(
+def test_policy_allows_hashed_scripts_and_html_of_a_trusted_author(
     make_book: MakeBook, address: str, trust: str, scripts: set[str], styles: set[str]
 ) -> None:
     site = render_site(replace(make_book(files={BOOK: OUTLINE + trust}), address=address))
@@ -187,7 +187,7 @@ def test_sizes_are_given_in_two_digits(size: float, words: str) -> None:
         ("no picture", None),
     ],
 )
-def test_a_picture_file_has_its_size(
+def test_size_of_a_picture_file_is_read(
     tmp_path: Path, svg: str, size: tuple[int, int] | None
 ) -> None:
     drawing, photograph = tmp_path / "a.svg", tmp_path / "a.png"
@@ -197,7 +197,7 @@ def test_a_picture_file_has_its_size(
     assert picture_size(photograph) == (5, 3)
 
 
-def test_540_words_are_read_in_three_minutes(make_book: MakeBook) -> None:
+def test_reading_time_of_540_words_is_three_minutes(make_book: MakeBook) -> None:
     text = "word " * 540
     book, *_ = check_site(make_book(text))
     assert reading_minutes(book.chapters[0].body, lambda _figure: "") == 3

@@ -88,7 +88,7 @@ IN_MOODLE: dict[str, tuple[str, list[tuple[str, float, str]]]] = {
 
 
 @pytest.mark.parametrize("name", IN_MOODLE)
-def test_a_question_has_its_kind_its_answers_and_their_replies_in_moodle(
+def test_moodle_question_has_its_kind_answers_and_replies(
     moodle: dict[str, Element], name: str
 ) -> None:
     found = [
@@ -102,7 +102,7 @@ def test_a_question_has_its_kind_its_answers_and_their_replies_in_moodle(
     assert (moodle[name].get("type"), found) == IN_MOODLE[name]
 
 
-def test_moodle_gets_tex_links_to_the_site_tolerances_and_units(
+def test_moodle_questions_have_tex_site_links_tolerances_and_units(
     moodle: dict[str, Element],
 ) -> None:
     assert moodle["one-of-two"].findtext("questiontext/text") == (
@@ -114,7 +114,7 @@ def test_moodle_gets_tex_links_to_the_site_tolerances_and_units(
     assert [each.text for each in length.iter("unit_name")] == ["mm"]
 
 
-def test_a_question_about_a_figure_leads_to_it_and_has_a_solution_for_the_marker(
+def test_question_about_a_figure_has_its_link_and_a_solution(
     moodle: dict[str, Element],
 ) -> None:
     question = moodle["set-it"]
@@ -123,7 +123,7 @@ def test_a_question_about_a_figure_leads_to_it_and_has_a_solution_for_the_marker
     assert f'href="{solved}"' in question.findtext("graderinfo/text", "")
 
 
-def test_without_an_address_there_are_no_links_and_no_questions_about_figures(book: Book) -> None:
+def test_export_without_an_address_has_no_links_or_figure_questions(book: Book) -> None:
     assert left_out(book) == 0
     book = replace(book, address="")
     assert "set-it" not in [asked.quiz.id for asked in asked_in(book)]
@@ -131,7 +131,7 @@ def test_without_an_address_there_are_no_links_and_no_questions_about_figures(bo
     assert b"href" not in make_moodle(book)
 
 
-def test_a_package_lists_each_of_its_files_once(package: dict[str, str]) -> None:
+def test_qti_package_lists_each_of_its_files_once(package: dict[str, str]) -> None:
     manifest = ElementTree.fromstring(package["imsmanifest.xml"])
     listed = [file.get("href", "") for file in manifest.iter(f"{CP}file")]
     assert sorted([*listed, "imsmanifest.xml"]) == sorted(package)
@@ -160,7 +160,7 @@ def test_a_package_lists_each_of_its_files_once(package: dict[str, str]) -> None
         ),
     ],
 )
-def test_an_item_of_qti_judges_and_replies_as_the_book_does(
+def test_qti_item_scores_and_replies_like_the_book(
     package: dict[str, str], question: str, answer: str, score: float, replies: list[str]
 ) -> None:
     session = session_after(package[f"items/quiz-{question}.xml"], answer)
@@ -175,7 +175,7 @@ def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:
     assert not [part for part in formulae if "class" in part.attrib or "style" in part.attrib]
 
 
-def test_other_readers_of_both_formats_find_the_questions(
+def test_other_importers_read_both_formats(
     book: Book, package: dict[str, str], tmp_path: Path
 ) -> None:
     """The schema of QTI has no orders."""

@@ -45,7 +45,7 @@ sys.exit(any([main(["new", *piece.split()]) for piece in sys.argv[1:]]))
 
 
 @pytest.mark.parametrize("like", GALLERY)
-def test_a_figure_of_the_gallery_works_under_another_name(
+def test_gallery_figure_works_under_a_new_name(
     like: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Each of its controls changes what is shown, but for a start that already shows an end; each
@@ -104,9 +104,7 @@ def first_book(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_
     return folder
 
 
-def test_all_its_tests_pass_and_those_that_the_guide_shows(
-    engine: Engine, first_book: Path
-) -> None:
+def test_tests_of_a_new_book_and_of_the_guide_pass(engine: Engine, first_book: Path) -> None:
     guide = ROOT / "site_builder" / "guide" / "book" / "content"
     shown = "".join(page.read_text(encoding="utf-8") for page in guide.glob("*.md"))
     samples = [
@@ -122,7 +120,7 @@ def test_all_its_tests_pass_and_those_that_the_guide_shows(
         assert len([*first_book.glob(f"tests/**/test_{name}.py")]) == 1
 
 
-def test_its_site_has_its_figures_and_sentences_of_skeletons_are_warned_of(
+def test_site_of_a_new_book_has_its_figure_and_warns_of_placeholders(
     engine: Engine, first_book: Path, tmp_path: Path
 ) -> None:
     done = engine.run(
@@ -141,7 +139,7 @@ def test_its_site_has_its_figures_and_sentences_of_skeletons_are_warned_of(
     assert done.stderr.count("warning") == len(warned) + 1
 
 
-def test_its_code_is_formatted_and_free_of_lint_and_its_engine_is_the_wheel_it_came_from(
+def test_code_of_a_new_book_passes_lint_and_contains_the_engine_wheel(
     engine: Engine,
     first_book: Path,
 ) -> None:
@@ -180,7 +178,7 @@ SCENE = Scene("two-balls", "Two Balls", Settings, draw)
 """
 
 
-def test_its_tests_compare_pixels_and_samples_and_name_a_control_that_changes_nothing(
+def test_tests_of_a_new_book_find_a_control_without_effect(
     engine: Engine, first_book: Path, tmp_path: Path
 ) -> None:
     book = shutil.copytree(first_book, tmp_path / "book", ignore=shutil.ignore_patterns("build"))
@@ -201,7 +199,7 @@ def what_an_author_wrote(book: Path) -> dict[Path, bytes]:
     }
 
 
-def test_a_file_that_is_there_is_never_overwritten(first_book: Path) -> None:
+def test_existing_file_is_never_overwritten(first_book: Path) -> None:
     before = what_an_author_wrote(first_book)
     for kind, name in PIECES_MADE:
         with pytest.raises(ScaffoldError, match="is there already; legal: "):
@@ -219,7 +217,7 @@ def test_a_folder_with_something_in_it_gets_no_book(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("text", ["Falling", "falling_ball", "2-balls", "a b", "", "ball-", "../x"])
-def test_a_name_that_makes_no_file_or_id_is_refused(text: str) -> None:
+def test_name_unfit_for_a_file_or_id_is_refused(text: str) -> None:
     with pytest.raises(ScaffoldError, match="legal: small letters and digits"):
         read_name("scene", text)
 
@@ -233,7 +231,7 @@ def test_a_name_that_makes_no_file_or_id_is_refused(text: str) -> None:
         ("translation", "en/a-fall", "legal: de, a slash"),
     ],
 )
-def test_a_piece_that_the_book_cannot_have_is_refused(
+def test_piece_with_an_invalid_or_existing_name_is_refused(
     tmp_path: Path, kind: str, name: str, message: str
 ) -> None:
     (tmp_path / "content").mkdir()
@@ -245,7 +243,7 @@ def test_a_piece_that_the_book_cannot_have_is_refused(
 
 
 @pytest.mark.deep
-def test_a_changed_engine_reaches_a_book_by_an_upgrade(engine: Engine, tmp_path: Path) -> None:
+def test_upgrade_of_the_engine_takes_effect_in_a_book(engine: Engine, tmp_path: Path) -> None:
     folder, own = tmp_path / "engine", new_engine(tmp_path / "environment")
     folder.mkdir()
     for part in PARTS:
@@ -263,9 +261,7 @@ def test_a_changed_engine_reaches_a_book_by_an_upgrade(engine: Engine, tmp_path:
 
 
 @pytest.mark.deep
-def test_a_machine_with_python_and_make_alone_tests_and_builds_a_book(
-    engine: Engine, tmp_path: Path
-) -> None:
+def test_new_book_needs_only_python_and_make(engine: Engine, tmp_path: Path) -> None:
     """All packages come from the index, as for an author."""
     assert engine.run(tmp_path, "-m", "site_builder", "new", "book", "book").returncode == 0
     for target in ("test", "site", "pdf", "epub", "notebooks", "questions"):

@@ -60,9 +60,7 @@ def link_to(target: str) -> Callable[[Path], object]:
          f"{CHAPTER}:5: file 'data/a.csv' leads out of content/; legal:"),
     ],
 )  # fmt: skip
-def test_a_file_that_cannot_be_read_is_reported(
-    make_book: MakeBook, files: Files, report: str
-) -> None:
+def test_unreadable_file_is_reported(make_book: MakeBook, files: Files, report: str) -> None:
     assert mistakes(make_book, files)[0].startswith(report)
 
 
@@ -77,9 +75,7 @@ def test_a_file_that_cannot_be_read_is_reported(
         ("content/references.bib", "@book{a,\ntitle = {Caf\xe9}}\n"),
     ],
 )
-def test_bytes_that_are_no_utf_8_are_reported_at_their_line(
-    make_book: MakeBook, path: str, text: str
-) -> None:
+def test_invalid_utf_8_is_reported_at_its_line(make_book: MakeBook, path: str, text: str) -> None:
     files = {CHAPTER: FRONT + b"Text.\n", path: text.encode("latin-1")}
     line = text[: text.index("\xe9")].count("\n") + 1
     assert f"{path}:{line}: byte 0xe9 is not UTF-8; legal: UTF-8" in mistakes(make_book, files)
@@ -87,7 +83,7 @@ def test_bytes_that_are_no_utf_8_are_reported_at_their_line(
 
 @pytest.mark.parametrize("mark", [b"\xef\xbb\xbf", b""])
 @pytest.mark.parametrize("end", [b"\r\n", b"\n"])
-def test_marks_and_line_ends_of_other_editors_are_no_mistake(
+def test_byte_order_marks_and_line_ends_are_accepted(
     make_book: MakeBook, mark: bytes, end: bytes
 ) -> None:
     text = FRONT + b"Text.\n\n- One\n\t- Two\n"
@@ -106,7 +102,7 @@ def mistakes(make_book: MakeBook, files: Files) -> list[str]:
     return [str(found) for found in diagnostics(options)]
 
 
-def test_keys_are_found_where_they_stand(tmp_path: Path) -> None:
+def test_line_of_each_toml_key_is_found(tmp_path: Path) -> None:
     text = (
         "a = 1\n[b]\n'k = 1' = 2\n\"c\".d = 3\nlist = [\n 'a = 2',\n]\n"
         "[b.'x.y']\nlong = '''\nb = 1\n[b]\n'''\nlast = 4\n[[s]]\nn = 1\n[[s]]\nn = 2\n"
@@ -163,13 +159,11 @@ def vast(side: int) -> bytes:
     ],
     ids=["empty", "cut", "cut", "another kind", "large", "vast"],
 )
-def test_a_picture_that_cannot_be_shown_is_reported(
-    reported: Reported, name: str, data: bytes, says: str
-) -> None:
+def test_invalid_picture_is_reported(reported: Reported, name: str, data: bytes, says: str) -> None:
     assert reported(name, data)[-1].startswith(says)
 
 
-def test_a_photograph_that_says_where_it_was_taken_is_a_warning(reported: Reported) -> None:
+def test_photograph_with_gps_data_gives_a_warning(reported: Reported) -> None:
     buffer, exif = io.BytesIO(), Image.Exif()
     exif.get_ifd(0x8825)[1] = "N"
     Image.new("L", (8, 8)).save(buffer, "JPEG", exif=exif)
@@ -177,12 +171,12 @@ def test_a_photograph_that_says_where_it_was_taken_is_a_warning(reported: Report
     assert only.startswith("1: warning: says where it was taken")
 
 
-def test_a_whole_picture_has_no_report(reported: Reported) -> None:
+def test_valid_picture_is_not_reported(reported: Reported) -> None:
     for kind in ("png", "webp", "jpeg"):
         assert reported(f"a.{kind}", picture(8, 8, kind.upper())) == []
 
 
-def test_a_picture_of_too_many_pixels_or_bytes_is_refused(
+def test_picture_with_too_many_pixels_or_bytes_is_refused(
     reported: Reported, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(picture_checks, "MOST_PIXELS", 60)

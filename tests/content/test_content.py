@@ -130,7 +130,7 @@ def test_every_ladder_is_measured_and_shown_without_personal_data(
 
 
 @pytest.mark.parametrize("ladder_id", LADDER_MODULES)
-def test_recorded_errors_are_current_and_defaults_are_on_the_front(
+def test_recorded_errors_are_current_and_defaults_are_pareto_optimal(
     ladder_id: str, measured: Measurements
 ) -> None:
     recorded, ladder = measured.find(ladder_id), load_ladder(ladder_id)

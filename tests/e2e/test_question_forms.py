@@ -47,9 +47,7 @@ def give(form: Locator, value: object) -> None:
     form.locator("button[type=submit]").click()
 
 
-def test_choices_and_numbers_are_asked_for_and_given_by_keyboard(
-    plain_reader: Reader, book: Any
-) -> None:
+def test_choices_and_numbers_are_answered_by_keyboard(plain_reader: Reader, book: Any) -> None:
     keyboard = plain_reader.page.keyboard
     form = open_question(plain_reader, book, questions(book, "single")[0])
     form.locator("button[type=submit]").press("Enter")
@@ -71,7 +69,7 @@ def test_choices_and_numbers_are_asked_for_and_given_by_keyboard(
     assert verdict(form) == "correct"
 
 
-def test_order_is_made_by_keyboard_and_by_dragging(plain_reader: Reader, book: Any) -> None:
+def test_order_is_changed_by_keyboard_and_by_dragging(plain_reader: Reader, book: Any) -> None:
     page = plain_reader.page
     for quiz in questions(book, "order"):
         form = open_question(plain_reader, book, quiz)
@@ -130,7 +128,7 @@ def check(form: Locator, judged: str) -> None:
     expect(form).to_have_attribute("data-answered", judged)
 
 
-def test_figure_is_judged_as_it_is_set_and_without_python_not_at_all(
+def test_figure_question_is_graded_at_its_settings_and_only_with_python(
     visitor: Reader, plain_reader: Reader, book: Any
 ) -> None:
     quiz = next(q for q in questions(book, "figure") if q["id"] == "corner-twenty-inwards")
@@ -149,7 +147,7 @@ def test_figure_is_judged_as_it_is_set_and_without_python_not_at_all(
     assert verdict(form) is None
 
 
-def test_options_stand_in_an_order_of_the_reader_s_own_that_lasts(
+def test_order_of_options_differs_between_readers_and_is_kept(
     plain_reader: Reader, book: Any
 ) -> None:
     def open_chapter() -> Any:
@@ -223,7 +221,7 @@ def test_drawn_numbers_are_a_class_s_own_and_stay_with_their_answer_until_others
     assert verdict(form) is None, "numbers of a class are asked for whatever was answered before"
 
 
-def test_progress_counts_lists_what_was_missed_and_is_reset_and_carried_over_as_a_file(
+def test_progress_lists_mistakes_is_reset_and_moves_as_a_file(
     plain_reader: Reader, book: Any, tmp_path: Path
 ) -> None:
     page, place = plain_reader.page, book["chapters"][9]
@@ -294,7 +292,7 @@ BROKEN = (
 )
 
 
-def test_nothing_of_a_broken_file_is_kept(plain_reader: Reader, tmp_path: Path) -> None:
+def test_broken_progress_file_changes_nothing(plain_reader: Reader, tmp_path: Path) -> None:
     plain_reader.open(live=False)
     page, file = plain_reader.page, tmp_path / "broken.json"
     for content, words in BROKEN:
@@ -305,7 +303,7 @@ def test_nothing_of_a_broken_file_is_kept(plain_reader: Reader, tmp_path: Path) 
     assert kept == []
 
 
-def test_files_of_many_readers_become_a_table_by_question_and_nothing_is_sent(
+def test_progress_files_of_a_class_become_a_table_without_uploads(
     plain_reader: Reader, tmp_path: Path
 ) -> None:
     """Answers to another edition of a question are left out."""

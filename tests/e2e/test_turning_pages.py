@@ -327,7 +327,7 @@ FIRST_HITS = """async (dialog, terms) => {
 }"""
 
 
-def test_results_are_marked_chosen_by_keyboard_and_tolerate_misspelling(
+def test_search_marks_matches_and_tolerates_misspelling(
     visitor: Reader,
 ) -> None:
     button, keyboard = visitor.page.locator("button[data-search]"), visitor.page.keyboard
