@@ -18,8 +18,8 @@ from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json,
 from site_builder.document.book import Book
 from site_builder.output.writer import advice, write_site
 from site_builder.photographs import prepare_photographs
-from site_builder.sandbox.loading import read_figures
-from site_builder.sandbox.pool import Limits, limited
+from site_builder.pool.loading import read_figures
+from site_builder.pool.processes import using_pool
 from site_builder.settings.declared import site_address, source_address
 
 ROOT = Path.cwd()
@@ -46,7 +46,7 @@ def main(arguments: list[str] | None = None) -> int:
 
     try:
         prepare_photographs(ROOT)
-        with using(Cache()), limited(Limits()):
+        with using(Cache()), using_pool():
             return _run(given, warn, warnings)
     except BuildError as error:
         print(error, file=sys.stderr)

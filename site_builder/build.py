@@ -66,7 +66,6 @@ from site_builder.publishing.hosting import (
 from site_builder.publishing.vector import make_cards, make_icons
 from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
-from site_builder.sandbox.pool import printed
 from site_builder.search.index import SearchLibrary, make_indices
 from site_builder.sources.book import read_book
 from site_builder.sources.translated_book import read_translations
@@ -188,8 +187,6 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
         check_labels(sources, translation.words, texts_of(book, initial_frames))
     if not problems:  # a figure that fails has no description to count
         check_first_passes(book, describing(initial_frames), problems)
-    for path, line, text in printed():
-        problems.warn(path, line, f"prints {text!r}, which no reader sees")
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
     if problems:

@@ -85,9 +85,10 @@ class Readout:
     """One of `ROLES`, or a colour of the book's own: the idea that the number belongs to."""
 
     def __post_init__(self) -> None:
-        if not isinstance(self.text, str):
-            kind = type(self.text).__name__
-            raise TypeError(f"readout {self.name!r}: text {kind}; legal: a str, as by readout()")
+        for name in ("label", "text", "unit"):
+            if not isinstance(given := getattr(self, name), str):
+                said = f"readout {self.name!r}: {name} {type(given).__name__}"
+                raise TypeError(f"{said}; legal: a str, as by readout()")
         if not is_role(self.role):
             raise ValueError(f"readout {self.name!r}: role {self.role!r}; legal: small letters")
 

@@ -30,7 +30,7 @@ from simulations.registry import load_ladder
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
 from site_builder.files.text import Sources
-from site_builder.sandbox.loading import loaded
+from site_builder.pool.loading import loaded
 
 DATA = "content/measurements.json"
 COMMAND = "python -m site_builder bench"

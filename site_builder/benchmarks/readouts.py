@@ -19,7 +19,7 @@ from site_builder.benchmarks.judgements import with_unit
 from site_builder.benchmarks.measurements import MeasurementError
 from site_builder.diagnostics.diagnostic import cause, unknown
 from site_builder.figures.frames import frame_at, reports_at
-from site_builder.sandbox.loading import loaded
+from site_builder.pool.loading import loaded
 
 
 class ReadoutError(MeasurementError):

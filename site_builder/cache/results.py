@@ -94,8 +94,6 @@ class Cache:
 
 
 _active: Cache | None = None
-_thread = threading.local()
-"""``kept_out``: how many results of the thread are not to be stored."""
 
 
 @contextmanager
@@ -109,11 +107,6 @@ def using(cache: Cache | None) -> Iterator[None]:
         _active = before
         if cache:
             cache.close()
-
-
-def keep_out() -> None:
-    """Store no result that this thread is computing: what shows beside it would not show again."""
-    _thread.kept_out = getattr(_thread, "kept_out", 0) + 1
 
 
 def cached[**P, T](function: Callable[P, T]) -> Callable[P, T]:
@@ -152,10 +145,8 @@ def cached_result[T](
     if (data := _active.get(key)) is not None:
         with suppress(Exception):  # whatever a pickle of another version may raise
             return pickle.loads(data)  # type: ignore[no-any-return]
-    before = getattr(_thread, "kept_out", 0)
     result = make()
-    is_whole = getattr(_thread, "kept_out", 0) == before
-    if is_whole and is_final(result) and not changed_sources():
+    if is_final(result) and not changed_sources():
         with suppress(pickle.PicklingError, AttributeError, TypeError):
             _active.put(key, pickle.dumps(result, pickle.HIGHEST_PROTOCOL))
     return result

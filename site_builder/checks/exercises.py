@@ -15,7 +15,7 @@ from site_builder.document.blocks import Quiz
 from site_builder.document.book import Chapter
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.questions.code.kind import Task
-from site_builder.sandbox.pool import run_limited
+from site_builder.pool.processes import run_in_pool
 
 
 def check_exercises(chapter: Chapter, problems: Diagnostics) -> None:
@@ -44,7 +44,7 @@ def _found(
 ) -> list[tuple[int | None, str]]:
     """What is wrong, with the number of the answer: 0 for the solution, None for the start."""
     try:
-        run_limited(partial(prove, exercise))
+        run_in_pool(partial(prove, exercise))
         if miss := _judged(exercise, exercise.solution, "values")["miss"]:
             return [(0, f"the solution is wrong: {_said(miss)}; legal: a right one")]
         if exercise.hard:
@@ -69,7 +69,7 @@ def _found(
 
 
 def _judged(exercise: Exercise, code: str, stage: str) -> dict[str, Any]:
-    return run_limited(partial(judged, exercise, code, stage, load_ladder, perf_counter))
+    return run_in_pool(partial(judged, exercise, code, stage, load_ladder, perf_counter))
 
 
 def _is_wrong(exercise: Exercise, code: str) -> bool:

@@ -5,9 +5,11 @@ import re
 from collections.abc import Iterator, Mapping
 from html import unescape
 from pathlib import Path
+from typing import Any
 
 from simulations.engine.frame import ROLES as COLOUR_ROLES
-from simulations.engine.frame import Panel
+from simulations.engine.frame import Frame, Panel
+from simulations.engine.scene import Scene
 from site_builder.cache.hashing import module_of
 from site_builder.checks.pictures import Label, read_overlay
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
@@ -17,7 +19,7 @@ from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import own_or_engine, static_files
 from site_builder.files.folders import data_of, folder_files
-from site_builder.files.text import Sources, Toml
+from site_builder.files.text import CONTROL, Sources, Toml
 from site_builder.markdown.directives.media import DrawnIllustration
 from site_builder.markdown.roles import ROLES
 from site_builder.settings.model import FILE_NAME, Settings
@@ -55,6 +57,10 @@ def check_frames(
                 said = unknown("colour role", role, roles[1:])
                 own = module_of(scene) or ""
                 problems.add_of(own, path, line, f"{scene.id}: {name!r} has an {said}")
+        for text in _texts(scene, still.frame):
+            if CONTROL.search(text):
+                said = f"{scene.id}: {text!r}; legal: a text of characters that can be shown"
+                problems.add_of(module_of(scene) or "", path, line, said)
         for panel in still.frame.panels:
             picture = still.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0
@@ -65,6 +71,15 @@ def check_frames(
                 line = block.target.line if block.target else 1
                 for panel in block.content.illustration.panels:
                     _check("illustration", panel, 0, known, (chapter.path, line), problems)
+
+
+def _texts(scene: Scene[Any], frame: Frame) -> Iterator[str]:
+    """What a page shows of a frame and its controls."""
+    yield frame.description
+    yield from (panel.title for panel in frame.panels)
+    yield from (each.label for each in (*scene.controls, *scene.handles))
+    for readout in frame.readouts:
+        yield from (readout.label, readout.text, readout.unit)
 
 
 TEXT = re.compile(r"(?<=>)[^<>]+(?=<)")

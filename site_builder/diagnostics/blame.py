@@ -80,6 +80,7 @@ QUOTED = re.compile(r"'([^'\n]+)'")
 FORMS = (r"""["']{}["']""", r"""["'](?:.*\s)?{}(?:\s.*)?["']""", r"^(?!from|import).*\b{}\b")
 """How a word may stand in a line: as a text, within one, elsewhere."""
 SCENE = r"SCENE\b|@figure\b"
+TRACED = re.compile(r'File "(.+)", line (\d+)')
 
 
 def place_in(module: str, message: str) -> str:
@@ -102,9 +103,10 @@ def place_in(module: str, message: str) -> str:
     return f"{_relative(file)}:1"
 
 
-def place_here() -> str:
-    """The same of what is running: the line that called us."""
-    return _innermost(traceback.extract_stack())
+def place_in_trace(text: str) -> str:
+    """The same as `place_of`, of what `faulthandler` wrote, the innermost line first."""
+    frames = [traceback.FrameSummary(file, int(line), "") for file, line in TRACED.findall(text)]
+    return _innermost(frames[::-1])
 
 
 def _innermost(frames: Sequence[traceback.FrameSummary]) -> str:

@@ -21,8 +21,8 @@ from simulations.editing.definitions import (
 )
 from simulations.engine.scene import Scene
 from site_builder.cache.results import cached
+from site_builder.pool.processes import run_in_pool
 from site_builder.runtime.imports import is_module
-from site_builder.sandbox.pool import run_limited
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +47,7 @@ def scene_sources(scene: Scene[Any]) -> bytes:
     with its file, first line, text, a hash of the text, and what it uses itself. What lies outside
     the editable modules is left out.
     """
-    return run_limited(partial(_scene_sources, scene))
+    return run_in_pool(partial(_scene_sources, scene))
 
 
 def _scene_sources(scene: Scene[Any]) -> bytes:
@@ -66,7 +66,7 @@ def formula_fault(scene: Scene[Any]) -> str:
 
 @cached
 def _formula_fault(scene: Scene[Any]) -> str:
-    return run_limited(partial(_fault_of_formula, scene))
+    return run_in_pool(partial(_fault_of_formula, scene))
 
 
 def _fault_of_formula(scene: Scene[Any]) -> str:

@@ -1,4 +1,4 @@
-"""Frames of scenes, drawn in the sandbox and cached."""
+"""Frames of scenes, drawn in the pool and cached."""
 
 import functools
 import io
@@ -16,7 +16,7 @@ from simulations.engine.stages import StageCache
 from site_builder.cache.hashing import module_of
 from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import at_settings, in_module
-from site_builder.sandbox.pool import run_limited
+from site_builder.pool.processes import run_in_pool
 
 type Values = Mapping[str, object]
 """Values of settings, by name."""
@@ -58,14 +58,14 @@ class SmallFrame:
 @cached
 def frame_at(scene: Scene[Any], settings: Any, tier: str) -> Frame:
     """The frame at these settings, without its pixels. Raises whatever the scene does, and
-    `LimitError`."""
-    return run_limited(functools.partial(_frame, scene, values_of(settings), tier), scene.id)
+    `KilledError`."""
+    return run_in_pool(functools.partial(_frame, scene, values_of(settings), tier), scene.id)
 
 
 @cached
 def static_frame(scene: Scene[Any], settings: Any, tier: str) -> StaticFrame:
     """The same with its pixels, as files."""
-    return run_limited(functools.partial(_static_frame, scene, values_of(settings), tier), scene.id)
+    return run_in_pool(functools.partial(_static_frame, scene, values_of(settings), tier), scene.id)
 
 
 @cached
@@ -73,14 +73,14 @@ def small_frames(
     scene: Scene[Any], settings: Sequence[Values], tier: str
 ) -> tuple[SmallFrame, ...]:
     """The frames of several settings, one after the other. Raises whatever the scene does, and
-    `LimitError`."""
-    return run_limited(functools.partial(_small_frames, scene, settings, tier), scene.id)
+    `KilledError`."""
+    return run_in_pool(functools.partial(_small_frames, scene, settings, tier), scene.id)
 
 
 @cached
 def reports_at(scene: Scene[Any], start: Values, moved: Values) -> tuple[StageReport, ...]:
     """Which stages run again when controls move from ``start``."""
-    return run_limited(functools.partial(_reports, scene, start, moved), scene.id)
+    return run_in_pool(functools.partial(_reports, scene, start, moved), scene.id)
 
 
 def _frame(scene: Scene[Any], values: Values, tier: str) -> Frame:

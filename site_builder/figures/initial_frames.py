@@ -15,7 +15,7 @@ from site_builder.diagnostics.diagnostic import Diagnostics, cause
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Book
 from site_builder.figures.frames import StaticFrame, small_frames, static_frame
-from site_builder.sandbox.pool import side_by_side
+from site_builder.pool.processes import side_by_side
 
 
 def main_control(figure: Simulation) -> Control | None:
@@ -45,7 +45,7 @@ class PrerenderedFrames:
 def prerender(page: str, figure: Simulation) -> PrerenderedFrames | None:
     """The frames of a figure; None where it has no control that can be shown so.
 
-    Raises whatever the scene does, and `LimitError`."""
+    Raises whatever the scene does, and `KilledError`."""
     control = main_control(figure)
     if control is None:
         return None

@@ -12,8 +12,7 @@ the text claims; expressions below it use both. The block itself is not shown.
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from importlib import import_module
 from math import isfinite
@@ -33,64 +32,7 @@ from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import CodeError, raised_by_code
 from site_builder.diagnostics.diagnostic import cause, unknown
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.sandbox.data import Code, Record, attribute, called
-from site_builder.sandbox.pool import run_limited
-
-
-@dataclass(frozen=True, slots=True)
-class ModelFunction:
-    """A function of the author's, called in the sandbox: one that never ends, fills the memory or
-    opens a file is a mistake at the line of the expression."""
-
-    code: Code
-
-    def __call__(self, *given: object, **named: object) -> Any:
-        """Raises whatever the function does, and `LimitError`."""
-        plain = {name: _sent(value) for name, value in named.items()}
-        return _received(_called(self.code, _sent(given), plain))
-
-
-class ModelObject:
-    """What such a function returned, whose class is the author's too."""
-
-    def __init__(self, record: Record) -> None:
-        self.record = record
-
-    def __getattr__(self, name: str) -> Any:
-        return _received(_attribute(self.record, name))
-
-
-@cached
-def _called(function: Code, given: tuple[object, ...], named: Mapping[str, object]) -> Any:
-    return run_limited(partial(called, function, *given, **named))
-
-
-@cached
-def _attribute(record: Record, name: str) -> Any:
-    return run_limited(partial(attribute, record, name))
-
-
-def _sent(value: Any) -> Any:
-    match value:
-        case ModelObject():
-            return value.record
-        case ModelFunction():
-            return value.code
-        case tuple() | list():
-            return type(value)(map(_sent, value))
-    return value
-
-
-def _received(value: Any) -> Any:
-    match value:
-        case Record():
-            return ModelObject(value)
-        case Code():
-            return ModelFunction(value)
-        case tuple() | list():
-            return type(value)(map(_received, value))
-    return value
-
+from site_builder.pool.processes import run_in_pool
 
 BLOCK = "calc"
 LEGAL = "legal: 'from simulations.… import name', 'name = expression', 'assert condition'"
@@ -271,16 +213,16 @@ def _imported(module: str, name: str) -> object:
         raise CodeError(f"module {module!r} cannot be loaded: {cause(error)}") from error
     if name not in names:
         raise LookupError(unknown(f"name of {module}", name, names))
-    return getattr(np.linalg, name) if module == np.linalg.__name__ else _received(value)
+    return getattr(np.linalg, name) if module == np.linalg.__name__ else value
 
 
 @cached
 def _looked_up(module: str, name: str, _sources: bytes) -> tuple[list[str], Any]:
-    return run_limited(partial(_public, module, name))
+    return run_in_pool(partial(_public, module, name))
 
 
 def _public(module: str, name: str) -> tuple[list[str], Any]:
-    """In the sandbox: the public names of a module, and the value of one."""
+    """In the pool: the public names of a module, and the value of one."""
     public = {
         key: value
         for key, value in vars(import_module(module)).items()

@@ -32,6 +32,7 @@ from site_builder.markdown.glossary import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
+from site_builder.pool.loading import loaded
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.bibliography import NO_WORKS, read_bibliography
 from site_builder.references.terms import (
@@ -43,7 +44,6 @@ from site_builder.references.terms import (
     read_news,
     read_symbols,
 )
-from site_builder.sandbox.loading import loaded
 from site_builder.sources.outline import (
     Outline,
     check_addresses,

@@ -22,7 +22,7 @@ from support.places import ROOT
 
 from site_builder.__main__ import find
 from site_builder.build import Options, render_site
-from site_builder.diagnostics.blame import at_settings, place_of
+from site_builder.diagnostics.blame import at_settings
 from site_builder.diagnostics.diagnostic import (
     BuildError,
     Diagnostic,
@@ -31,11 +31,10 @@ from site_builder.diagnostics.diagnostic import (
     column_of,
     suggestion_of,
 )
+from site_builder.pool.processes import KilledError, run_in_pool, using_pool
 from site_builder.runtime import freeze, pack
 from site_builder.runtime.imports import module_files
 from site_builder.runtime.pack import chunk_archive
-from site_builder.sandbox.data import Code, called, real
-from site_builder.sandbox.pool import LimitError, Limits, limited, run_limited
 
 TWO = ":::{nott}\n:::\n\nA price of 5$ each.\n"
 WARNED = ":::{{quiz}} q\nWhich?\n- [x] {}\n  : Yes.\n- [ ] That\n  : No.\n:::\n".format("long " * 9)
@@ -228,13 +227,13 @@ def test_module_that_cannot_be_imported_is_reported_with_its_line(tmp_path: Path
         "polyline([(0, 0)] * 1_000_000)\n",
     }
     told: dict[str, str] = {}
-    with small_package(tmp_path, sources), limited(Limits()):
-        for name, error in (("unread", SyntaxError), ("ended", LimitError), ("drawn", ValueError)):
+    with small_package(tmp_path, sources), using_pool():
+        for name, error in (("unread", SyntaxError), ("ended", KilledError), ("drawn", ValueError)):
             with pytest.raises(error) as raised:
-                run_limited(partial(called, Code(f"{PACKAGE}.{name}", "draw")))
+                run_in_pool(partial(import_module, f"{PACKAGE}.{name}"))
             told[name] = cause(raised.value)
     assert told["unread"] == "SyntaxError: invalid syntax, at simulations/small/unread.py:1"
-    assert told["ended"].startswith("LimitError: ends the program by os._exit(3)")
+    assert told["ended"].startswith("KilledError: ends its process, exit code 3")
     assert told["ended"].endswith(", at simulations/small/ended.py:2")
     assert told["drawn"].endswith(", at simulations/small/drawn.py:2")
 
@@ -284,36 +283,24 @@ SCENE = Scene()
         assert only.met == "content/a.md:7"
 
 
-ODD = """
-def loop():
-    while True: pass
-def read(name):
-    return len(open(name).read())
-"""
+LOOP = "def loop():\n    while True: pass\n"
 
 
-def test_functions_that_a_text_calls_run_within_limits(tmp_path: Path, make_book: MakeBook) -> None:
-    block = f"```calc\nfrom {PACKAGE}.odd import loop, read\n```"
-    options = make_book(f"{block}\n\n{{calc}}`loop()`\n\n{{calc}}`read('/etc/hostname')`")
-    with small_package(tmp_path / "odd", {"odd": ODD}), limited(Limits(seconds=0.3)):
-        found = {one.line: one.message for one in diagnostics(options)}
-    assert "takes more than 0.3 s" in found[9]
-    assert "reads '/etc/hostname'" in found[11]
+def test_a_function_that_never_ends_is_a_mistake_of_the_text_that_calls_it(
+    tmp_path: Path, make_book: MakeBook
+) -> None:
+    body = f"```calc\nfrom {PACKAGE}.odd import loop\n```\n\n{{calc}}`loop()`"
+    options = make_book(body, {"content/book.toml": OUTLINE})
+    with small_package(tmp_path / "odd", {"odd": LOOP}), using_pool(seconds=2.0):
+        (found,) = diagnostics(options)
+    assert str(found) == "content/00-first.md:9: 'loop()': KilledError: takes more than 2 s"
 
 
-def test_data_that_a_module_names_travel_with_it_and_no_other_is_read(tmp_path: Path) -> None:
-    beside = "from pathlib import Path\nHERE = Path(__file__)\n"
-    sources = {
-        "named": f"{beside}TEXT = HERE.with_name('heights.csv').read_text()\n",
-        "composed": f"{beside}TEXT = HERE.with_name('speeds' + '.csv').read_text()\n",
-    }
-    with small_package(tmp_path, sources), limited(Limits()):
+def test_data_that_a_module_names_travel_with_it(tmp_path: Path) -> None:
+    source = "from pathlib import Path\nTEXT = Path(__file__).with_name('heights.csv')\n"
+    with small_package(tmp_path, {"named": source}):
         for name in ("heights", "speeds"):
             (tmp_path / "simulations" / "small" / f"{name}.csv").write_text("1,2")
-        assert run_limited(partial(real, Code(f"{PACKAGE}.named", "TEXT"))) == "1,2"
-        with pytest.raises(PermissionError, match=r"speeds\.csv'; legal: a file beside") as raised:
-            run_limited(partial(real, Code(f"{PACKAGE}.composed", "TEXT")))
-        assert place_of(raised.value) == "simulations/small/composed.py:3"
     files = module_files(tmp_path / "simulations")
     with zipfile.ZipFile(BytesIO(chunk_archive(files, [f"{PACKAGE}.named"]))) as archive:
         assert archive.namelist() == ["simulations/small/named.py", "simulations/small/heights.csv"]

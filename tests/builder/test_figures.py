@@ -33,8 +33,8 @@ HEAT = {"heat": ("#ad4209", "#f79c63")}
 type Diagnose = Callable[..., list[str]]
 
 
-def frame(overlay: str = "", raster: Any = None) -> Frame:
-    return Frame((Panel("plan", "Plan", 40, 30, raster, overlay),), (), "A plan.")
+def frame(overlay: str = "", raster: Any = None, readouts: tuple[Readout, ...] = ()) -> Frame:
+    return Frame((Panel("plan", "Plan", 40, 30, raster, overlay),), readouts, "A plan.")
 
 
 def raising(*_: object) -> Frame:
@@ -62,6 +62,8 @@ def diagnose(make_book: MakeBook) -> Diagnose:
     [
         (raising, "ZeroDivisionError: division by zero"),
         (lambda *_: Readout("x", "x", 3.0), "readout 'x': text float; legal: a str"),  # type: ignore[arg-type]
+        (lambda *_: Readout("x", None, "3"), "readout 'x': label NoneType; legal: a str"),  # type: ignore[arg-type]
+        (lambda *_: frame(readouts=(Readout("x", "\ud800", "3"),)), r"'\ud800'; legal: a text"),
         (lambda *_: None, "draw returned NoneType; legal: a Frame"),
         (lambda *_: {"panels": ()}, "draw returned dict; legal: a Frame"),
         (lambda *_: Frame([], (), "A."), "panels list; legal: a tuple of Panel"),  # type: ignore[arg-type]

@@ -29,8 +29,8 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.sandbox.loading import loaded
-from site_builder.sandbox.pool import run_limited
+from site_builder.pool.loading import loaded
+from site_builder.pool.processes import run_in_pool
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +173,7 @@ def read_hard_cases(call: DirectiveCall, _body: None, context: ParseContext) -> 
     name = context.placed[call.line].id
     try:
         text = FILES[call.argument].read_text(encoding="utf-8")
-        title, rows = run_limited(partial(_computed, call.argument, text))
+        title, rows = run_in_pool(partial(_computed, call.argument, text))
         return HardCaseTable(name, title, rows)
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"hard cases {call.argument!r} cannot be computed: {cause(error)}"

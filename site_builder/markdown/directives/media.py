@@ -4,12 +4,14 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from pathlib import Path, PurePosixPath
 
 from markdown_it.token import Token
 
 from simulations.engine.illustration import Illustration
 from simulations.registry import found
+from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
@@ -30,8 +32,7 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import end_of_element
-from site_builder.sandbox.data import Code, called
-from site_builder.sandbox.pool import run_limited
+from site_builder.pool.processes import run_in_pool
 
 WIDTH = r"([1-9]\d?|100)%|[1-9]\d{1,3}px"
 ALIKE = 0.01
@@ -167,12 +168,10 @@ def read_illustration(
 ) -> DrawnIllustration:
     what = f"illustration {call.argument!r}"
     try:
-        illustration = illustration_of(Code(MODULES[call.argument], "draw"))
+        module = MODULES[call.argument]
+        illustration = illustration_of(module, source_hash(module))
     except Exception as error:  # whatever its code may raise is the author's to see
         raise CodeError(f"{what} cannot be drawn: {cause(error)}") from error
-    if not isinstance(illustration, Illustration):
-        kind = type(illustration).__name__
-        raise CodeError(f"{what}: draw returned {kind}; legal: an Illustration")
     kinds = [token.type for token in words.tokens]
     end = kinds.index("ordered_list_open") if "ordered_list_open" in kinds else len(kinds)
     caption, sentences = Passage(words.tokens[:end]), Passage(words.tokens[end:])
@@ -187,8 +186,15 @@ def read_illustration(
 
 
 @cached
-def illustration_of(draw: Code) -> Illustration:
-    return run_limited(partial(called, draw))  # type: ignore[no-any-return]
+def illustration_of(module: str, _sources: bytes) -> Illustration:
+    return run_in_pool(partial(_drawn, module), of=module)
+
+
+def _drawn(module: str) -> Illustration:
+    drawn = import_module(module).draw()
+    if not isinstance(drawn, Illustration):
+        raise TypeError(f"draw returned {type(drawn).__name__}; legal: an Illustration")
+    return drawn
 
 
 ILLUSTRATION = Directive(

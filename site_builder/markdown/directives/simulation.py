@@ -22,7 +22,7 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.roles.set import read_settings
-from site_builder.sandbox.loading import loaded
+from site_builder.pool.loading import loaded
 
 FOR_THE_PAGE = ("show", "yours", LABEL.name)
 """Options that are no settings of the scene."""

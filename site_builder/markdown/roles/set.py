@@ -16,7 +16,7 @@ from site_builder.diagnostics.diagnostic import unknown
 from site_builder.markdown.directive import OptionValue
 from site_builder.markdown.parse_context import FigurePlace, ParseContext
 from site_builder.markdown.role import Linked, Role
-from site_builder.sandbox.loading import loaded
+from site_builder.pool.loading import loaded
 
 FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
 

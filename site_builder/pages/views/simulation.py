@@ -21,7 +21,7 @@ from site_builder.files.engine import ENGINE
 from site_builder.files.folders import address_of
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.policy import json_for_html
-from site_builder.sandbox.loading import loaded
+from site_builder.pool.loading import loaded
 from site_builder.sources.translations.files import figure_text
 
 CONTROL_KINDS = ENGINE / "simulations" / "engine" / "controls"

@@ -1,4 +1,5 @@
-"""Scenes and ladders by their ids; one that cannot be loaded is an error of one sentence."""
+"""Scenes and ladders by their ids, as copies without code; one that cannot be loaded is an error of
+one sentence."""
 
 import copyreg
 import pickle
@@ -17,34 +18,33 @@ from simulations.registry import (
 )
 from site_builder.cache.hashing import HOLDERS, know_module, module_of, source_hash
 from site_builder.cache.results import cached
-from site_builder.diagnostics.blame import place_of, remember, words_of
+from site_builder.diagnostics.blame import in_module
 from site_builder.diagnostics.diagnostic import cause
-from site_builder.sandbox.data import packed, unpacked
-from site_builder.sandbox.pool import LimitError, copies, run_limited
+from site_builder.pool.processes import copies, packed, run_in_pool
 
 MODULES = {"simulation": SCENE_MODULES, "ladder": LADDER_MODULES}
 
 
 def loaded[T](kind: str, item_id: str, load: Callable[[str], T], error: type[Exception]) -> T:
-    """What ``load`` makes of the id, as `held`; an id that is not known, and whatever a scene's or
-    ladder's own code may raise, is an ``error``. ``kind``: ``simulation`` or ``ladder``."""
+    """What ``load`` makes of the id, as `copy_of`; an id that is not known, and whatever a scene's
+    or ladder's own code may raise, is an ``error``. ``kind``: ``simulation`` or ``ladder``."""
     try:
-        return held(MODULES[kind].get(item_id, ""), partial(load, item_id))
+        return copy_of(MODULES[kind].get(item_id, ""), partial(load, item_id))
     except UnknownIdError as unknown:
         raise error(str(unknown)) from None
     except Exception as failure:
         raise error(f"{kind} {item_id!r} cannot be loaded: {cause(failure)}") from failure
 
 
-def held[T](module: str, get: Callable[[], T]) -> T:
-    """What ``get`` finds in an author's module: within limits, a copy without code, made once in
-    the sandbox."""
+def copy_of[T](module: str, get: Callable[[], T]) -> T:
+    """What ``get`` finds in an author's module: with a pool a copy without code, made once."""
     known = copies()
     if known is None:
         return get()
     if module not in known:
-        found = unpacked(_copied(module, get, source_hash(module)))
-        known[module] = know_module(found, module)
+        with in_module(module):
+            copy = pickle.loads(_packed_copy(module, get, source_hash(module)))
+        known[module] = know_module(copy, module)
     return known[module]  # type: ignore[no-any-return]
 
 
@@ -62,22 +62,16 @@ def read_figures() -> None:
 
 
 @cached
-def _copied(module: str, get: Callable[[], object], _sources: bytes) -> bytes:
-    try:
-        return run_limited(partial(_packed, get))
-    except LimitError as error:
-        place, words = place_of(error), words_of(error)
-        if not place and module:  # it ended its process, at an unknown line
-            place, words = f"{module.replace('.', '/')}.py:1", f"{words}, while it was imported"
-        raise remember(error, place, words) from None
+def _packed_copy(module: str, get: Callable[[], object], _sources: bytes) -> bytes:
+    return run_in_pool(partial(_packed, get), of=module)
 
 
 def _packed(get: Callable[[], object]) -> bytes:
     return packed(get())
 
 
-def _held(module: str, name: str) -> Any:
-    return held(module, partial(_attribute, module, name))
+def _copy(module: str, name: str) -> Any:
+    return copy_of(module, partial(_attribute, module, name))
 
 
 def _attribute(module: str, name: str) -> Any:
@@ -88,7 +82,7 @@ def _by_name(value: Any) -> tuple[Any, tuple[str, str]]:
     module = module_of(value)
     if module is None:
         raise pickle.PicklingError(f"{value.id!r} is in no module")
-    return _held, (module, HOLDERS[type(value)])
+    return _copy, (module, HOLDERS[type(value)])
 
 
 for _holder in HOLDERS:  # what is code is pickled as the name of it

@@ -1,1 +1,0 @@
-"""Authors' code: imported and run in processes with limits, without files and network."""
