@@ -178,7 +178,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     check_data(sources)
     for translation in translations:
         check_translation(translation, problems)
-    check_pictures(sources, trusted=book.settings.trust.raw_html)
+    check_pictures(sources)
     initial_frames, pictures = render_initial_frames(
         book, problems, prerendered=options.runtime and not options.reload
     )

@@ -73,9 +73,8 @@ def diagnose(make_book: MakeBook) -> Diagnose:
         (lambda *_: frame(overlay=3), "panel 'plan': overlay int; legal: a str of SVG"),  # type: ignore[arg-type]
         (lambda *_: frame(raster=[[0]]), "panel 'plan': raster list; legal: (H, W, 4) uint8"),
         (lambda *_: frame(raster=np.zeros((2, 2, 4))), "raster (2, 2, 4) float64; legal: "),
-        (lambda *_: frame("<circel/>"), "overlay: unknown element 'circel'; did you mean 'circle'"),
         (lambda *_: frame("<g>"), "overlay: no SVG: mismatched tag"),
-        (lambda *_: frame("<g onclick='x'/>"), "overlay: attribute 'onclick'; legal: "),
+        (lambda *_: frame("<style/>"), "overlay: <style> in a drawing; legal: classes"),
         (lambda *_: frame("<circle r='nan'/>"), "overlay: 'nan' as a place or a size; legal: "),
         (lambda *_: frame("<path d='M0,-inf L1 1'/>"), "overlay: '-inf' as a place or a size"),
         (lambda *_: frame("<g class='rya'/>"), "unknown class 'rya'; did you mean 'ray'?"),

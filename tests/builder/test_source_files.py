@@ -1,5 +1,5 @@
 """Files of a book: their bytes, names and places; where keys of TOML stand; pictures and drawings
-that a page cannot show or carry, or that could do more than show themselves."""
+that a page cannot show or carry."""
 
 import io
 import tomllib
@@ -185,75 +185,39 @@ def test_picture_with_too_many_pixels_or_bytes_is_refused(
     assert "1: a picture of 2.1 MB; legal: at most 2 MB" in reported("a.svg", b" " * 2_100_000)
 
 
-HEAD = f'<svg xmlns="{SVG}" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 9 9">'
-INERT = (
-    '<g class="a b"><path d="M0 0"/><text x="1">Words</text></g>',
-    '<use href="#a"/><use xlink:href="#a"/><rect fill="url(#g)"/>',
-    "<style>.a { fill: url( '#g' ); }</style>",
-    '<image href="data:image/png;base64,iVBORw0KGgo="/>',
-    '<metadata><a xmlns="http://creativecommons.org/ns#"/></metadata>',
-    '<text aria-label="javascript" data-note="on">onload=alert(1)</text>',
+HEAD = f'<svg xmlns="{SVG}" viewBox="0 0 9 9">'
+
+
+@pytest.mark.parametrize(
+    "file",
+    [
+        f'{HEAD}<g class="a b"><path d="M0 0"/></g><style>.a {{ fill: red }}</style></svg>',
+        f'<?xml version="1.0"?><!DOCTYPE svg [<!ENTITY a "b">]>{HEAD}<text>&a;</text></svg>',
+        f'{HEAD}<metadata><a xmlns="http://creativecommons.org/ns#"/></metadata></svg>',
+    ],
 )
-ATTACKS = (
-    "<script>alert(1)</script>",
-    '<script href="https://a.example/x.js"/>',
-    '<h:script xmlns:h="http://www.w3.org/1999/xhtml">alert(1)</h:script>',
-    '<g onload="alert(1)"/>',
-    '<g ONLOAD="alert(1)"/>',
-    '<animate onbegin="alert(1)" attributeName="x" dur="1s"/>',
-    '<set attributeName="href" to="javascript:alert(1)"/>',
-    "<foreignObject><p>Words</p></foreignObject>",
-    '<iframe xmlns="http://www.w3.org/1999/xhtml" src="javascript:alert(1)"/>',
-    '<a href="javascript:alert(1)"><text>x</text></a>',
-    '<a xlink:href="javascript:alert(1)"><text>x</text></a>',
-    '<use href="https://a.example/x.svg#a"/>',
-    '<use href="data:image/svg+xml;base64,AAAA#a"/>',
-    '<image href="https://a.example/x.png"/>',
-    '<image href="data:image/svg+xml;base64,AAAA"/>',
-    "<style>@import 'https://a.example/x.css';</style>",
-    "<style>a{fill:url(https://a.example/x)}</style>",
-    "<style>@\\69mport 'x';</style>",
-    "<style>@imp<![CDATA[ort 'x';]]></style>",
-    '<rect fill="url(//a.example/x)"/>',
-    "<rect style=\"fill: url( 'x' )\"/>",
-    '<rect style="behavior: url(#x)"/>',
-    '<handler type="text/javascript">alert(1)</handler>',
-    '<listener event="click" handler="#h"/>',
-    '<embed src="javascript:alert(1)"/>',
-    '<g xml:base="javascript:alert(1)//"><use href="#a"/></g>',
-    '<filter><feImage href="https://a.example/x"/></filter>',
+def test_a_drawing_of_any_program_may_be_published(file: str) -> None:
+    assert read_svg(file.encode()).faults == ()
+
+
+@pytest.mark.parametrize(
+    ("file", "line", "says"),
+    [
+        ('<html xmlns="http://www.w3.org/1999/xhtml"/>', 1, "<html> at the top; legal: <svg xmlns"),
+        ("<!-- without a namespace -->\n<svg></svg>", 2, "<svg> at the top; legal: <svg xmlns"),
+        (f"{HEAD}\n<g>\n</svg>", 3, "no SVG: mismatched tag"),
+        (f"{HEAD}\n&a;</svg>", 2, "no SVG: undefined entity"),
+        ("", 1, "no SVG: no element found"),
+        ('<?xml version="1.0" encoding="utf-7"?><svg/>', 1, "no SVG: "),
+        (HEAD.encode("utf-16").decode("latin-1"), 1, "no SVG: "),
+    ],
 )
-NO_DRAWINGS = (
-    f'<!DOCTYPE svg [<!ENTITY a "b">]>{HEAD}&a;</svg>',
-    f'<!DOCTYPE svg [<!ENTITY a SYSTEM "file:///etc/passwd">]>{HEAD}&a;</svg>',
-    f'<?xml-stylesheet href="x.css"?>{HEAD}</svg>',
-    '<html xmlns="http://www.w3.org/1999/xhtml"><script>alert(1)</script></html>',
-    "<svg></svg>",
-    f"{HEAD}<g>",
-    "",
-    '<?xml version="1.0" encoding="utf-7"?><svg/>',
-    HEAD.encode("utf-16").decode("latin-1"),
-)
-
-
-@pytest.mark.parametrize("markup", INERT)
-def test_a_drawing_that_only_shows_itself_may_be_published(markup: str) -> None:
-    assert read_svg(f"{HEAD}{markup}</svg>".encode()).faults == ()
-
-
-@pytest.mark.parametrize("markup", ATTACKS)
-def test_a_drawing_that_does_more_is_refused_at_its_line(markup: str) -> None:
-    faults = read_svg(f"{HEAD}\n\n{markup}</svg>".encode()).faults
-    assert {fault.line for fault in faults} == {3}
-    assert read_overlay(markup).faults, "a drawing of a scene"
-
-
-@pytest.mark.parametrize("file", NO_DRAWINGS)
-def test_a_file_that_is_no_drawing_is_refused(file: str) -> None:
-    assert read_svg(file.encode("latin-1")).faults
+def test_a_file_that_is_no_drawing_is_reported_at_its_line(file: str, line: int, says: str) -> None:
+    (fault,) = read_svg(file.encode("latin-1")).faults
+    assert (fault.line, fault.message[: len(says)]) == (line, says)
 
 
 def test_a_style_element_may_stand_in_a_file_and_not_in_a_drawing_of_a_scene() -> None:
-    (fault,) = read_overlay(f"<g/>\n{INERT[2]}").faults
+    (fault,) = read_overlay("<g/>\n<style>.a { fill: red }</style>").faults
     assert (fault.line, fault.message.partition(";")[0]) == (2, "<style> in a drawing")
     assert read_overlay('<g class="a b"><g class="b c"/></g>').classes == {"a", "b", "c"}
