@@ -24,7 +24,7 @@ from site_builder.settings.declared import site_address, source_address
 
 ROOT = Path.cwd()
 """The book's folder."""
-NEW = ("book", "chapter", "scene", "model", "ladder", "translation")
+NEW = ("book", "chapter", "scene", "model", "ladder")
 """What ``new`` makes."""
 
 

@@ -30,14 +30,9 @@ from site_builder.assets.pages import (
 )
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.cache.results import cached_result
-from site_builder.checks.frames import check_data, check_frames, texts_of
+from site_builder.checks.frames import check_data, check_frames
 from site_builder.checks.pictures import check_pictures
-from site_builder.checks.whole_book import (
-    check_book,
-    check_first_passes,
-    check_skeletons,
-    check_translation,
-)
+from site_builder.checks.whole_book import check_book, check_first_passes, check_skeletons
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import (
@@ -51,7 +46,7 @@ from site_builder.files.text import Sources
 from site_builder.output.writer import write_site
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.page import Site
-from site_builder.pages.render import redirections, render_pages, render_translation
+from site_builder.pages.render import redirections, render_pages
 from site_builder.pages.views.question import catalogue
 from site_builder.photographs import credits_of
 from site_builder.publishing.hosting import (
@@ -66,10 +61,8 @@ from site_builder.publishing.hosting import (
 from site_builder.publishing.vector import make_cards, make_icons
 from site_builder.raw.decoder import FOLDER
 from site_builder.runtime.pack import RuntimeBundle
-from site_builder.search.index import SearchLibrary, make_indices
+from site_builder.search.index import SearchLibrary, index_of, make_records
 from site_builder.sources.book import read_book
-from site_builder.sources.translated_book import read_translations
-from site_builder.sources.translations.files import check_labels
 
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
@@ -115,7 +108,6 @@ class LoadedBook(NamedTuple):
 
     book: Book
     sources: Sources
-    translations: tuple[Book, ...] = ()
 
 
 class CheckedBook(NamedTuple):
@@ -125,7 +117,6 @@ class CheckedBook(NamedTuple):
     initial_frames: InitialFrames
     pictures: Mapping[str, bytes]
     """Pictures of the initial frames, by file name."""
-    translations: tuple[Book, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,26 +156,21 @@ def load(options: Options) -> LoadedBook:
     sources = Sources(options.root)
     measurements = read_measurements(sources, options.load_ladder)
     book = read_book(sources, options.load_scene, measurements)
-    translations = read_translations(sources, book, options.load_scene, measurements)
-    return LoadedBook(book, sources, translations)
+    return LoadedBook(book, sources)
 
 
 def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     """Raises `BuildError` with all mistakes found."""
-    book, sources, translations = loaded
+    book, sources = loaded
     problems = sources.problems
     check_book(book, problems)
     check_skeletons(sources, book)
     check_data(sources)
-    for translation in translations:
-        check_translation(translation, problems)
     check_pictures(sources)
     initial_frames, pictures = render_initial_frames(
         book, problems, prerendered=options.runtime and not options.reload
     )
     check_frames(book, initial_frames, static_files(options.root), problems)
-    for translation in translations:
-        check_labels(sources, translation.words, texts_of(book, initial_frames))
     if not problems:  # a figure that fails has no description to count
         check_first_passes(book, describing(initial_frames), problems)
     for warning in sorted(set(problems.doubts)):
@@ -192,11 +178,8 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     if problems:
         raise BuildError(problems.found)
 
-    def placed(book: Book) -> Book:
-        address, source = options.address or book.address, options.source or book.source
-        return replace(book, address=address, source=source)
-
-    return CheckedBook(placed(book), initial_frames, pictures, tuple(map(placed, translations)))
+    address, source = options.address or book.address, options.source or book.source
+    return CheckedBook(replace(book, address=address, source=source), initial_frames, pictures)
 
 
 def _pack(book: Book, options: Options) -> RuntimeBundle | None:
@@ -208,7 +191,7 @@ def _pack(book: Book, options: Options) -> RuntimeBundle | None:
 def render(
     checked: CheckedBook, options: Options, bundle: RuntimeBundle | None, threads: Executor
 ) -> RenderedSite:
-    book, initial_frames, pictures, translations = checked
+    book, initial_frames, pictures = checked
     root, reload = options.root, options.reload
     parts = browser_parts(book, bundle, options.warn, search=options.search, reload=reload)
     search_index = threads.submit(_search_index, checked, parts.search)
@@ -237,8 +220,6 @@ def render(
         **in_page(assets, reload=reload),
     )
     pages = render_pages(site, _licences(root, parts, book))
-    for translation in translations:
-        pages |= render_translation(replace(site, book=translation), book)
     files = {**assets.files, **parts.runtime_files, **dict(redirections(book, pages))}
     return RenderedSite(checked, options, parts, assets.folder, pages, files, search_index)
 
@@ -246,15 +227,16 @@ def render(
 def _search_index(checked: CheckedBook, library: SearchLibrary) -> Files:
     if not library.scripts:
         return {}
-    describe = describing(checked.initial_frames)
-    return dict(make_indices(checked.book, checked.translations, describe, library))
+    book = checked.book
+    records = make_records(book, describing(checked.initial_frames))
+    return {"search/index.json": index_of(records, library, book.words)}
 
 
 def assemble(site: RenderedSite) -> Files:
     """The pages, what they load, and what is made of these, in order: lists of what there is, what
     others see of a site that has an address, the search index, what stores the site for use
     offline, and what the host is given beside it."""
-    book, initial_frames, pictures, _ = site.checked
+    book, initial_frames, pictures = site.checked
     reload, assets = site.options.reload, site.assets
     files = {
         **site.pages,

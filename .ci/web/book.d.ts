@@ -2,10 +2,8 @@
 
 /** What the scripts know of the book. */
 declare module "*/book.js" {
-  export const LANGUAGE: string;
   export const DECIMAL: string;
   export const STORAGE: string;
-  export const FIGURES: Record<string, string>;
   export const WORDS: Record<string, string | { one: string; other: string }>;
 }
 

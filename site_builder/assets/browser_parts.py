@@ -125,7 +125,7 @@ def browser_parts(
 
     library, editor, decoder = SearchLibrary({}), EditorBundle(), RawDecoder({})
     if search:
-        fetch = partial(fetch_library, *(book.languages or (book.words.language,)))
+        fetch = partial(fetch_library, book.words.language)
         library = part(fetch, library, "search", "the book cannot be searched")
     if bundle and book.scenes:
         lost = "the figures' Python can be read but not edited"

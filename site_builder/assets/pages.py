@@ -176,18 +176,13 @@ def _scripts(book: Book, static: Files) -> Bundle:
 
 def _style_sheets(book: Book, static: Files, beside: Collection[str]) -> Files:
     """The sheet of all pages, and those that scripts load."""
-    others = [book.words_of[language] for language in [*book.languages][1:]]
-    own = [
-        theme_rules(book.settings.theme),
-        book_css(book.words),
-        *(book_css(words, f":root:lang({words.language})") for words in others),
-    ]
     made = {
         "css/fonts.css": (face_rules() + fallback_rules()).encode(),
         "css/roles.css": colour_rules(book.colours).encode(),
     }
     sheets = {name: file for name, file in static.items() if name.startswith("css/")} | made
-    joined = join_style_sheets(sheets, STYLE_SHEET, "".join(own))
+    own = theme_rules(book.settings.theme) + book_css(book.words)
+    joined = join_style_sheets(sheets, STYLE_SHEET, own)
     return {name: file for name, file in joined.items() if name in {STYLE_SHEET, *beside}}
 
 

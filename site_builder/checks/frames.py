@@ -3,7 +3,6 @@ it is no larger than a page can carry; and the colours that a book names for its
 
 import re
 from collections.abc import Iterator, Mapping
-from html import unescape
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +12,7 @@ from simulations.engine.scene import Scene
 from site_builder.cache.hashing import module_of
 from site_builder.checks.pictures import Label, read_overlay
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.document.blocks import contents, walk
+from site_builder.document.blocks import walk
 from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
@@ -80,26 +79,6 @@ def _texts(scene: Scene[Any], frame: Frame) -> Iterator[str]:
     yield from (each.label for each in (*scene.controls, *scene.handles))
     for readout in frame.readouts:
         yield from (readout.label, readout.text, readout.unit)
-
-
-TEXT = re.compile(r"(?<=>)[^<>]+(?=<)")
-"""What an element of a drawing says."""
-
-
-def texts_of(book: Book, initial_frames: InitialFrames) -> set[str]:
-    """What the figures say as they start, and the illustrations."""
-    said: set[str] = set()
-    drawn = [
-        item for chapter in book.chapters for item in contents(chapter.body, DrawnIllustration)
-    ]
-    panels = [panel for item in drawn for panel in item.illustration.panels]
-    for still in initial_frames.values():
-        scene, frame = still.figure.scene, still.frame
-        said |= {each.label for each in (*scene.controls, *scene.handles, *frame.readouts)}
-        panels += frame.panels
-    for panel in panels:
-        said |= {panel.title, *map(unescape, TEXT.findall(panel.overlay))}
-    return said
 
 
 def check_data(sources: Sources) -> None:

@@ -2,7 +2,6 @@
 belongs together on a page, glossary and symbols, and sentences that `new` wrote."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from simulations.engine.conditions import first_true
@@ -265,22 +264,12 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     check_glossary(book, problems)
     check_order(book, problems)
     check_symbols(book, problems)
-    _check_links(book.chapters, book, problems)
+    _check_links(book, problems)
 
 
-def check_translation(book: Book, problems: Diagnostics) -> None:
-    """The same of the chapters that are translated, but for what `translations.agreement` compares
-    with their originals."""
-    translated = tuple(chapter for chapter in book.chapters if chapter.folder)
-    for chapter in translated:
-        _check_reveals(chapter, problems)
-    check_questions(replace(book, chapters=translated), problems)
-    _check_links(translated, book, problems)
-
-
-def _check_links(chapters: Sequence[Chapter], book: Book, problems: Diagnostics) -> None:
+def _check_links(book: Book, problems: Diagnostics) -> None:
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
-    for chapter in chapters:
+    for chapter in book.chapters:
         for link in chapter.links:
             if message := _fault_of_link(link, chapter, by_file):
                 problems.add(chapter.path, link.line, message)

@@ -90,20 +90,10 @@ class BuildError(Exception):
         super().__init__("\n".join(map(str, self.diagnostics)))
 
 
-TRANSLATED = re.compile(r"content/[a-z]{2,3}(?:-\w+)*/(.+)")
-
-
 def without_following(found: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
-    """Those that would stay if the others were mended: not what a mistake spoils, and of a
-    translation neither the mistakes of its original nor those that compare it with a wrong one."""
+    """Those that would stay if the others were mended: not what a mistake spoils."""
     spoilt = {phrase: one for one in found for phrase in one.spoils}
-    messages = {(one.path, one.message) for one in found}
-    paths = {one.path for one in found}
     for one in found:
-        translated = TRANSLATED.fullmatch(one.path)
-        original = f"content/{translated[1]}" if translated else ""
-        if (original, one.message) in messages or (original in paths and original in one.message):
-            continue
         if not any(
             s in (one.path, one.message) or s in one.message for s in spoilt if spoilt[s] is not one
         ):

@@ -129,8 +129,6 @@ class Question:
     """The numbers that it draws, if it does: ``f = 24; N = 5.6``."""
     others: tuple[Self, ...] = ()
     """The same question with the other numbers that it may draw."""
-    answered_as: str = ""
-    """In a translation, the edition of its original: the two share their answers."""
 
     @property
     def variants(self) -> tuple[Self, ...]:
@@ -140,8 +138,6 @@ class Question:
     @property
     def edition(self) -> str:
         """A hash of what is asked and what is right: an answer to another edition is forgotten."""
-        if self.answered_as:
-            return self.answered_as
         answers = [(option.text, option.correct) for option in self.options]
         asked = (self.kind, self.prompt_text, answers, self.decides)
         return hashlib.sha256(repr(asked).encode()).hexdigest()[:8]

@@ -42,9 +42,6 @@ UNSET = Settings("", "", "", ())
 
 type Colours = Mapping[str, tuple[str, str]]
 """Names of the book's own colours, each with its values on light and on dark paper."""
-type Languages = Mapping[str, frozenset[str]]
-"""By the tag of each language, the ids of the chapters that are written in it: the original's
-first; empty where a book has no translation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,8 +76,6 @@ class Chapter:
     """Element ids of its simulations, also of those that cannot be shown."""
     cache_key: bytes = b""
     """The hash of all that it was made from, which the cache takes for that of its contents."""
-    folder: str = ""
-    """Where its page lies below the site's root: ``de/`` for a translation into German."""
 
     @property
     def number(self) -> int:
@@ -108,7 +103,7 @@ class Chapter:
     @property
     def url(self) -> str:
         """Address relative to the site's root."""
-        return f"{self.folder}{self.id}/"
+        return f"{self.id}/"
 
     @property
     def first_pass(self) -> tuple[Block, ...]:
@@ -198,13 +193,6 @@ class Book:
     """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
     news: tuple[News, ...] = ()
     """Newest first."""
-    languages: Languages = field(default_factory=dict)
-    """Languages that it can be read in."""
-    words_of: Mapping[str, Words] = field(default_factory=dict)
-    """The words of each, and of the original."""
-    folder: str = ""
-    """Where the pages of a translation lie below the site's root, ``de/``; chapters that are not
-    translated are the original's."""
 
     @property
     def colours(self) -> Colours:

@@ -180,7 +180,7 @@ class Composed:
 
 def compose(options: Options) -> Composed:
     """Read, check and render the book. Raises `BuildError` with all mistakes found."""
-    book, initial_frames, pictures, _ = check_site(options)
+    book, initial_frames, pictures = check_site(options)
     rows, row_pictures = render_rows(book, initial_frames)
     assets = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
     site = Site(options.root, book, initial_frames, assets.folder, "")

@@ -24,8 +24,8 @@ from site_builder.files.folders import archive_of
 from site_builder.formulae.temml import plain_tex
 from site_builder.markdown.questions.kind import QuestionKind
 from site_builder.markdown.questions.kinds import kind_of
+from site_builder.pages.embeds import embed_address
 from site_builder.pages.environment import render_template
-from site_builder.pages.versions import embed_address
 from site_builder.pages.views.question import numbered_quizzes
 from site_builder.render.screen import RULES, PassageRenderer, mathml_of, renderer_with
 

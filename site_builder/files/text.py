@@ -60,10 +60,6 @@ class Sources:
     """The book's folder: holds ``content/`` and ``simulations/``."""
     problems: Diagnostics = field(default_factory=Diagnostics)
 
-    def aside(self) -> "Sources":
-        """The same files, with diagnostics of their own."""
-        return Sources(self.root)
-
     def has(self, path: str) -> bool:
         return is_file(self.root / path)
 

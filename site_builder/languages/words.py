@@ -37,13 +37,11 @@ class Words:
     language: str
     """Its tag, as in ``lang``: ``de``."""
     texts: Mapping[str, Text]
-    figures: Mapping[str, str] = field(default_factory=dict)
-    """Texts of figures in this language, by the texts that the scenes draw."""
     cache_key: bytes = field(init=False, repr=False, compare=False)
     """The hash of all texts, which the cache takes for that of the words."""
 
     def __post_init__(self) -> None:
-        texts = repr((self.language, [*self.texts.items()], [*self.figures.items()]))
+        texts = repr((self.language, [*self.texts.items()]))
         object.__setattr__(self, "cache_key", blake2b(texts.encode(), digest_size=20).digest())
 
     def __call__(self, key: str, **values: object) -> str:

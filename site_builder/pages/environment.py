@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from contextlib import suppress
-from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 
@@ -18,10 +17,8 @@ from site_builder.files.folders import SIZE, address_of, bytes_hash, cache_folde
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.markdown.text.code import highlighted_lines
-from site_builder.output.scripts import script_words
 from site_builder.pages.back_matter import marked_terms
-from site_builder.pages.policy import json_for_html, page_policy
-from site_builder.pages.versions import lead_to_original, original_of, original_page
+from site_builder.pages.policy import page_policy
 from site_builder.pages.views.ladder import (
     default_error,
     slowest_to_quickest,
@@ -64,7 +61,6 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "marked_terms": marked_terms,
     "passage": passage_html,
     "spoken": spoken_html,
-    "script_words": lambda words: json_for_html(script_words(words)),
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """Functions of templates, for what is computed from the document."""
@@ -81,11 +77,7 @@ def book_context(book: Book) -> dict[str, object]:
         "book": book,
         "words": book.words,
         "t": book.words.html,
-        "renderer": replace(
-            screen_renderer(book.words), relink=partial(lead_to_original, book=book)
-        ),
-        "original": original_of(book),
-        "original_page": partial(original_page, book),
+        "renderer": screen_renderer(book.words),
         "policy": partial(
             page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
         ),

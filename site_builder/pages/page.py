@@ -10,9 +10,8 @@ from markupsafe import Markup
 from site_builder.document.blocks import Block, Simulation, contents
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
-from site_builder.markdown.directives.media import DrawnIllustration
+from site_builder.pages.embeds import EMBED_FOLDER
 from site_builder.pages.environment import book_context, template_environment
-from site_builder.pages.versions import EMBED_FOLDER, versions_of
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.terms import GLOSSARY, SYMBOLS
@@ -20,7 +19,6 @@ from site_builder.render.screen import paper_renderer
 from site_builder.render.words import reading_minutes
 from site_builder.settings.declared import PATH
 from site_builder.sources.outline import LECTURE_PLAN
-from site_builder.sources.translations.files import figure_markup
 
 BOOK_CARD = "card.png"
 CARDS = "cards"
@@ -58,8 +56,6 @@ def origin(book: Book, path: str, chapter: Chapter | None) -> str:
     return book.source.replace(PATH, file) if file else ""
 
 
-TRANSLATED = ("landing.html", "chapter.html")
-"""Templates of the pages that translations have."""
 FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 """Part that a reader meets first: text, and the line above it."""
 
@@ -117,15 +113,15 @@ def render_page(
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
-        html = template.render(
-            shared,
-            block=block.content,
-            inside=block.inside,
-            target=block.target,
-            chapter=chapter,
+        return Markup(
+            template.render(
+                shared,
+                block=block.content,
+                inside=block.inside,
+                target=block.target,
+                chapter=chapter,
+            )
         )
-        is_figure = isinstance(block.content, Simulation | DrawnIllustration)
-        return Markup(figure_markup(html, site.book.words) if is_figure else html)
 
     def integrity(name: str) -> Markup:
         known = site.hashes.get(name)
@@ -163,7 +159,6 @@ def render_page(
             "here": "",
             "sections": (),
             "back_matter": (),
-            "versions": versions_of(site.book, chapter) if template in TRANSLATED else (),
             **context,
         },
     )

@@ -1,4 +1,4 @@
-"""All pages of the site, and of its translations."""
+"""All pages of the site."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -16,11 +16,11 @@ from site_builder.files.engine import own_or_engine
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.pages.back_matter import back_matter_pages, card, titled
+from site_builder.pages.embeds import EMBED_FOLDER, embeds
 from site_builder.pages.environment import FOLDERS, render_template
 from site_builder.pages.licences import Licence
 from site_builder.pages.page import Site, render_page
 from site_builder.pages.policy import json_for_html
-from site_builder.pages.versions import EMBED_FOLDER, embeds
 from site_builder.pages.views.question import class_data
 from site_builder.pages.views.simulation import thumbnail
 from site_builder.references.bibliography import NO_WORKS
@@ -57,23 +57,9 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     return pages
 
 
-def render_translation(site: Site, original: Book) -> dict[str, bytes]:
-    """The pages of a translation, whose book ``site`` has: its title page, and the chapters that
-    are translated."""
-    book = site.book
-    render = _renderer(site, titled(back_matter_pages(original), book.words))
-    title_page = f"{book.folder}index.html"
-    pages = {title_page: render("landing.html", title_page, **_title_page(site))}
-    for chapter, context in _chapter_pages(book):
-        if chapter.folder:
-            path = f"{chapter.url}index.html"
-            pages[path] = render("chapter.html", path, **context)
-    return pages
-
-
 def redirections(book: Book, pages: Iterable[str]) -> Iterator[tuple[str, bytes]]:
-    """Pages at the former addresses of chapters, of their translations and of their figures, which
-    lead on with all that an address ends in."""
+    """Pages at the former addresses of chapters and of their figures, which lead on with all that
+    an address ends in."""
     for path in sorted(pages):
         folders = path.split("/")
         for former, chapter in book.settings.redirects.items():

@@ -15,9 +15,9 @@ from site_builder.cache.results import cached_result
 from site_builder.document.book import Book
 from site_builder.files.folders import address_of, bytes_hash, integrity
 from site_builder.output.writer import Content, content_bytes
+from site_builder.pages.embeds import EMBED_FOLDER
 from site_builder.pages.environment import render_template
 from site_builder.pages.page import page_address
-from site_builder.pages.versions import EMBED_FOLDER
 from site_builder.raw.decoder import FOLDER
 
 PACKED = frozenset(

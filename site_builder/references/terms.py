@@ -42,13 +42,11 @@ class Term:
     line: int = 1
     endings: tuple[str, ...] = ("s", "es")
     """Endings of plurals, in the language of the book."""
-    original: str = ""
-    """Its name in the glossary that this entry is translated from; nothing in that."""
 
     @property
     def id(self) -> str:
         """Id of its entry, among the ids of the glossary."""
-        return re.sub(r"[^\w]+", "-", (self.original or self.name).lower()).strip("-")
+        return re.sub(r"[^\w]+", "-", self.name.lower()).strip("-")
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -128,11 +126,11 @@ def read_glossary(sources: Sources, words: Words = ENGLISH) -> Glossary:
     ]
     terms.sort(key=lambda term: term.name.casefold())
     glossary = Glossary({term.name: term for term in terms})
-    check_names(glossary, GLOSSARY, sources.problems)
+    _check_names(glossary, sources.problems)
     return glossary
 
 
-def check_names(glossary: Glossary, path: str, problems: Diagnostics) -> None:
+def _check_names(glossary: Glossary, problems: Diagnostics) -> None:
     """Report a name that two terms have, and related terms that there are not."""
     first: dict[str, Term] = {}
     for term in glossary.terms.values():
@@ -140,13 +138,12 @@ def check_names(glossary: Glossary, path: str, problems: Diagnostics) -> None:
             other = first.setdefault(name, term)
             if other is not term:
                 message = f"{name!r} is a name of {other.name!r} too; legal: of one term"
-                problems.add(path, term.line, message)
+                problems.add(GLOSSARY, term.line, message)
         others = [name for name in glossary.terms if name != term.name]
         for name in term.related:
             if name not in others:
-                problems.add(
-                    path, term.line, unknown(f"term related to {term.name!r}", name, others)
-                )
+                message = unknown(f"term related to {term.name!r}", name, others)
+                problems.add(GLOSSARY, term.line, message)
 
 
 SYMBOLS = "content/symbols.toml"

@@ -29,13 +29,11 @@ class PassageRenderer:
     """A renderer of markdown-it with rules of one medium."""
 
     markdown: MarkdownIt
-    relink: Callable[[str], str] = str
-    """Gives links in HTML other addresses."""
 
     def __call__(self, passage: Passage) -> Markup:
         tokens, options = list(passage.tokens), self.markdown.options
         html = str(self.markdown.renderer.render(tokens, options, {})).strip()
-        return Markup(self.relink(LINK.sub(lambda link: named(link[0]), html)))
+        return Markup(LINK.sub(lambda link: named(link[0]), html))
 
 
 def named(html: str) -> Markup:

@@ -1,5 +1,4 @@
-"""A new book, in a folder of its own; a new chapter, scene, model, or ladder, with tests;
-or a chapter to translate."""
+"""A new book, in a folder of its own; a new chapter, scene, model, or ladder, with tests."""
 
 import json
 import keyword
@@ -11,7 +10,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import distribution
-from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -21,14 +19,7 @@ from site_builder import __version__
 from site_builder.benchmarks.measurements import COMMAND
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import OUTLINE
-from site_builder.document.places import chapter_id
 from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, SHARED, own_or_engine
-from site_builder.files.text import Sources
-from site_builder.languages.words import languages
-from site_builder.markdown.numbering import slug
-from site_builder.markdown.parser import make_parser
-from site_builder.markdown.text.tokens import plain_text
-from site_builder.settings.model import read_settings
 
 FORM = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
@@ -165,31 +156,6 @@ def _engine() -> tuple[str, dict[str, bytes]]:
     return DISTRIBUTION, wheels
 
 
-def translation(root: Path, text: str) -> tuple[dict[str, str], str]:
-    """``de/falling-ball``: language and chapter."""
-    language, _, name = text.partition("/")
-    files = {chapter_id(file.name): file for file in sorted((root / "content").glob("[!.#]*.md"))}
-    own = read_settings(Sources(root))[0].language
-    others = [tag for tag in languages(root) if tag != own]
-    if language not in others or name not in files:
-        forms = f"{' or '.join(others)}, a slash, and one of {', '.join(files)}"
-        if language not in others:
-            forms += f"; content/languages/{language}.toml would make it a language"
-        raise ScaffoldError(f"translation {text!r}; legal: {forms}")
-    path = f"content/{language}/{files[name].name}"
-    write_new(root, {path: with_ids(files[name].read_text(encoding="utf-8"))})
-    return {path: ""}, "translate it; what it must keep, python -m site_builder check tells"
-
-
-def with_ids(markdown: str) -> str:
-    """The chapter with the id of each section behind its heading."""
-    lines, tokens = markdown.split("\n"), make_parser().parse(markdown)
-    for opening, inline in pairwise(tokens):
-        if opening.type == "heading_open" and opening.map and "given" not in opening.meta:
-            lines[opening.map[0]] += f" {{#{slug(plain_text(inline))}}}"
-    return "\n".join(lines)
-
-
 type Made = tuple[dict[str, str], str]
 """Files by path, and what is to be done next."""
 
@@ -296,7 +262,6 @@ PIECES: dict[str, Callable[[Path, str], Made]] = {
     "scene": scene,
     "model": model,
     "ladder": ladder,
-    "translation": translation,
 }
 """What ``new`` can make in a book."""
 

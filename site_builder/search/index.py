@@ -103,23 +103,13 @@ def make_records(book: Book, describe: Describe) -> PageRecords:
     return tuple(records.of_page(path, sections) for path, sections in pages)
 
 
-def translated_records(book: Book, describe: Describe) -> PageRecords:
-    """Records of the chapters that a translation has; the others are in the original's."""
-    records = Records(explained_terms(book))
-    return tuple(
-        records.of_page(f"{chapter.url}index.html", chapter_sections(chapter, describe))
-        for chapter in book.chapters
-        if chapter.folder
-    )
-
-
 def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
     """By the address of a section: the names of the glossary's terms that it explains, the entries
     that authors have marked in it for the index, and the symbols that it introduces."""
     explained: dict[str, list[str]] = {}
     for definition in book.glossary:
         if target := definition.explained:
-            address = _address(f"{book.folder}{target.chapter}/index.html", target.id)
+            address = _address(f"{target.chapter}/index.html", target.id)
             explained.setdefault(address, []).extend(definition.term.names)
     for chapter in book.chapters:
         for mark in chapter.index_marks:
@@ -165,18 +155,12 @@ class SearchLibrary:
 
     scripts: Mapping[str, Path]
     packages: tuple[Package, ...] = ()
-    stemmers: Mapping[str, str] = field(default_factory=dict)
-    """Names of scripts by language."""
 
 
-def fetch_library(*languages: str) -> SearchLibrary:
-    """The library for pages in these. Raises `NodeError` where it cannot be had."""
+def fetch_library(language: str) -> SearchLibrary:
+    """The library for pages in this language. Raises `NodeError` where it cannot be had."""
     packages = installed_packages(HERE) / "node_modules"
-    stemmers = {language: f"stemmer-{language}.js" for language in languages}
-    shipped = {
-        "minisearch.js": SEARCH,
-        **{name: STEMMERS.get(language, PLAIN) for language, name in stemmers.items()},
-    }
+    shipped = {"minisearch.js": SEARCH, "stemmer.js": STEMMERS.get(language, PLAIN)}
     return SearchLibrary(
         {name: HERE / path if path == PLAIN else packages / path for name, path in shipped.items()},
         tuple(
@@ -184,7 +168,6 @@ def fetch_library(*languages: str) -> SearchLibrary:
             for name, licence in LICENCES.items()
             if any(path.startswith(f"{name}/") for path in shipped.values())
         ),
-        stemmers,
     )
 
 
@@ -194,46 +177,19 @@ SHARED = ("js/search/ranking.ts", "js/search/words.ts")
 PROGRAM = HERE / "index.mjs"
 
 
-@dataclass(frozen=True, slots=True)
-class Means:
-    """What an index is made with."""
-
-    scripts: tuple[Path, ...]
-    compared: tuple[str, str]
-    """Stop words and synonyms."""
-
-
-def make_indices(
-    book: Book, translations: Sequence[Book], describe: Describe, library: SearchLibrary
-) -> Iterator[tuple[str, bytes]]:
-    """Path and index of the book, and of each translation what it has of its own: `search/de.json`.
-    Pages look for them there; they are made of the pages, which cannot carry a hash of them."""
-    yield "search/index.json", index_of(make_records(book, describe), indexing(library, book.words))
-    for each in translations:
-        records, means = translated_records(each, describe), indexing(library, each.words)
-        yield f"search/{each.words.language}.json", index_of(records, means)
-
-
-def indexing(library: SearchLibrary, words: Words) -> Means:
-    """For pages in the language of ``words``."""
-    names = ("minisearch.js", library.stemmers[words.language])
-    return Means(
-        (*(library.scripts[name] for name in names), *(STATIC / name for name in SHARED)),
-        (words("script.search.stop_words"), words("script.search.synonyms")),
-    )
-
-
-def index_of(records: PageRecords, means: Means) -> bytes:
-    """The index as JSON. Raises `RuntimeError` with Node's words where it cannot be made."""
+def index_of(records: PageRecords, library: SearchLibrary, words: Words) -> bytes:
+    """The index as JSON, for pages in the language of ``words``. Raises `RuntimeError` with Node's
+    words where it cannot be made."""
     lines = "\n".join(map(_line, records))
-    scripts = [file_hash(file) for file in (*means.scripts, PROGRAM)]
-    given = (lines, scripts, means.compared)
-    return cached_result("index", given, lambda: _index(lines, means))
+    scripts = (*library.scripts.values(), *(STATIC / name for name in SHARED))
+    compared = words("script.search.stop_words"), words("script.search.synonyms")
+    given = (lines, [file_hash(file) for file in (*scripts, PROGRAM)], compared)
+    return cached_result("index", given, lambda: _index(lines, scripts, compared))
 
 
-def _index(lines: str, means: Means) -> bytes:
-    scripts = map(str, (PROGRAM, *means.scripts))
-    command = [str(NODE), "--no-warnings", *scripts, *means.compared]
+def _index(lines: str, scripts: Sequence[Path], compared: Sequence[str]) -> bytes:
+    """``compared``: stop words and synonyms."""
+    command = [str(NODE), "--no-warnings", *map(str, (PROGRAM, *scripts)), *compared]
     done = subprocess.run(command, input=lines, capture_output=True, encoding="utf-8", check=False)
     if done.returncode:
         raise RuntimeError(f"the search index could not be made: {done.stderr}")

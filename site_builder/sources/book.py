@@ -17,9 +17,8 @@ from site_builder.document.blocks import Simulation
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.document.places import Passage, Position, Target, Targets, chapter_id
 from site_builder.files.engine import ENGINE
-from site_builder.files.folders import file_hash, folder_files, folder_hash, is_side_file
+from site_builder.files.folders import file_hash, folder_files, folder_hash
 from site_builder.files.text import Sources
-from site_builder.languages.words import languages
 from site_builder.markdown.chapter import (
     Draft,
     Survey,
@@ -39,7 +38,6 @@ from site_builder.references.terms import (
     GLOSSARY,
     NO_TERMS,
     SYMBOLS,
-    Glossary,
     read_glossary,
     read_news,
     read_symbols,
@@ -51,9 +49,7 @@ from site_builder.sources.outline import (
     read_asked,
     read_lecture_plan,
     read_outline,
-    read_words,
 )
-from site_builder.sources.translations.files import find_languages, folder_of
 
 
 @dataclass(slots=True)
@@ -74,7 +70,7 @@ class ChapterFile:
 
     def read(self, targets: Targets, state: bytes, problems: Diagnostics) -> Chapter:
         """The whole chapter; mistakes go to ``problems`` and reading goes on. ``state``:
-        `targets_state` of the targets."""
+        `_targets_state` of the targets."""
         key = hash_of(self._given(), state)
 
         def read(own: Diagnostics) -> Chapter:
@@ -102,7 +98,7 @@ class ChapterFile:
         return self._draft
 
 
-def targets_state(targets: Targets) -> bytes:
+def _targets_state(targets: Targets) -> bytes:
     """Hash of what a chapter can show of others: not on which line that stands."""
 
     def shown(target: Target) -> tuple[object, ...]:
@@ -131,12 +127,11 @@ def read_book(
     if not outline.chapters and problems:
         raise BuildError(problems.found)
     settings, words = outline.settings, outline.words
-    terms = read_glossary(sources, words)
-    shared = read_shared(sources, outline, terms, load_scene, measurements)
-    pages = list(list_pages(outline, shared, sources))
+    shared = _read_shared(sources, outline, load_scene, measurements)
+    pages = list(_list_pages(outline, shared, sources))
     targets = find_targets([page.survey() for page in pages], problems)
-    known = targets_state(targets)
-    check_addresses(outline, sources.root, problems)
+    known = _targets_state(targets)
+    check_addresses(outline, problems)
     check_boxes(outline, problems)
     _check_unlisted(sources, outline)
 
@@ -152,23 +147,20 @@ def read_book(
         settings=settings,
         words=words,
         hero=_read_hero(outline, shared, problems),
-        starts=tuple(read_links(settings.starts, outline, targets, problems)),
-        stops=tuple(read_links(settings.path.stops, outline, targets, problems)),
+        starts=tuple(_read_links(settings.starts, outline, targets, problems)),
+        stops=tuple(_read_links(settings.path.stops, outline, targets, problems)),
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(sources, targets),
         asked=tuple(read_asked(sources, targets)),
         glossary=read_definitions(glossary),
         symbols=read_meanings(read_symbols(sources), symbols),
-        languages=(found := find_languages(sources.root, settings)),
-        words_of={tag: read_words(sources, tag) for tag in [*found][1:]} | {words.language: words},
     )
 
 
-def read_shared(
+def _read_shared(
     sources: Sources,
     outline: Outline,
-    glossary: Glossary,
     load_scene: Callable[[str], Scene[Any]],
     measurements: Measurements | None,
 ) -> Shared:
@@ -189,16 +181,16 @@ def read_shared(
         settings.trust.raw_html,
         outline.macros,
         bibliography,
-        glossary,
+        read_glossary(sources, words),
         tuple(settings.colours),
     )
 
 
-def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[ChapterFile]:
-    """The chapters' files, those of a translation where there are any."""
+def _list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[ChapterFile]:
+    """The chapters' files."""
     problems, state_of = sources.problems, _states(sources.root, outline)
     for name, line, position in outline.chapters:
-        path, own = f"content/{name}.md", f"content/{outline.folder}{name}.md"
+        path = f"content/{name}.md"
         if not sources.has(path):
             folder = sources.root / "content"
             files = sorted(file.stem for file in folder.glob("[!.#]*.md") if file.is_file())
@@ -207,15 +199,13 @@ def list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[C
         # A number in front is for the listing of the folder; it means nothing.
         if not re.fullmatch(r"(\d+-)?[a-z0-9]+(-[a-z0-9]+)*", name):
             problems.add(OUTLINE, line, f"chapter {name!r}; legal: 'NN-slug'")
-        path = own if sources.has(own) else path
         yield ChapterFile(path, sources.text(path), position, shared, state_of(path))
 
 
 def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
     """The hash of what a file is read with: those of ``content/`` that are no chapters, and all
     code but that of scenes that it does not name."""
-    folders = ("", *map(folder_of, find_languages(root, outline.settings)))
-    chapters = {f"{folder}{name}.md" for name, _, _ in outline.chapters for folder in folders}
+    chapters = {f"{name}.md" for name, _, _ in outline.chapters}
     content = folder_files(root / "content").items()
     files = {name: file_hash(file) for name, file in content if name not in chapters}
     code: dict[str, list[bytes | None]] = {"": []}
@@ -238,41 +228,19 @@ def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
     return state_of
 
 
-OF_TRANSLATIONS = ("book.toml", "glossary.toml", "labels.toml")
-"""Files beside a translation's chapters."""
-
-
 def _check_unlisted(sources: Sources, outline: Outline) -> None:
-    content = sources.root / "content"
-    tags = [tag for tag in languages(sources.root) if tag != outline.settings.language]
-    names = [name for name, _, _ in outline.chapters]
-    listed = {
-        f"content/{folder}{name}.md" for name in names for folder in ("", *map(folder_of, tags))
-    }
-    for name, file in folder_files(content).items():
-        path = f"content/{name}"
-        if not listed or not name.endswith(".md") or path in listed:
-            continue
-        message = f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'"
-        if file.stem in names:
-            folder = file.parent.relative_to(content).as_posix()
-            message = unknown("language of a translation", folder, tags)
-        sources.problems.add(path, 1, message)
-    for beside in sorted(content.glob("*/*.toml")):
-        folder, name = beside.parent.name, beside.relative_to(sources.root).as_posix()
-        begun = beside.name in OF_TRANSLATIONS and not is_side_file(folder)
-        if begun and not any((beside.parent / f"{chapter}.md").is_file() for chapter in names):
-            said = f"a translation of no chapter; better: one, such as '{folder}/{names[0]}.md'"
-            if folder not in tags:
-                said = unknown("language of a translation", folder, tags)
-            sources.problems.warn(name, 1, said)
+    listed = {f"{name}.md" for name, _, _ in outline.chapters}
+    for name in folder_files(sources.root / "content"):
+        if listed and name.endswith(".md") and name not in listed:
+            message = f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'"
+            sources.problems.add(f"content/{name}", 1, message)
 
 
 def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simulation | None:
     settings = outline.settings
     if not settings.hero:
         return None
-    line, caption = outline.hero_line, read_hero_caption(outline, shared, problems)
+    line, caption = outline.hero_line, _read_hero_caption(outline, shared, problems)
     try:
         scene = loaded("simulation", settings.hero, shared.load_scene, CodeError)
     except CodeError as error:
@@ -282,10 +250,10 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
     return Simulation(scene, name, {}, tier, caption, OUTLINE, line)
 
 
-def read_hero_caption(outline: Outline, shared: Shared, problems: Diagnostics) -> Passage:
+def _read_hero_caption(outline: Outline, shared: Shared, problems: Diagnostics) -> Passage:
     """The title page has no list of works and no marks of terms."""
     alone = replace(shared, bibliography=NO_WORKS, glossary=NO_TERMS)
-    context = ParseContext(outline.path, alone, problems)
+    context = ParseContext(OUTLINE, alone, problems)
     caption = inline_passage(outline.settings.hero_caption, outline.hero_line, context)
     for link in context.links:
         message = f"link {link.target!r} in the cover's caption; legal: 'https://…'"
@@ -293,7 +261,7 @@ def read_hero_caption(outline: Outline, shared: Shared, problems: Diagnostics) -
     return caption
 
 
-def read_links(
+def _read_links(
     links: Mapping[str, str], outline: Outline, targets: Targets, problems: Diagnostics
 ) -> Iterator[tuple[str, str]]:
     """The words and the address of each of these links of the title page."""
@@ -301,6 +269,6 @@ def read_links(
         try:
             found = targets.find(place, "")
         except LookupError as error:
-            problems.add(outline.path, outline.link_lines[words], str(error))
+            problems.add(OUTLINE, outline.link_lines[words], str(error))
         else:
             yield words, f"{found.chapter}/#{found.id}" if found.id else f"{found.chapter}/"

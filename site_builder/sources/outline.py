@@ -9,7 +9,6 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from itertools import takewhile
-from pathlib import Path
 from string import ascii_uppercase
 
 from site_builder.checks.frames import check_colours
@@ -22,7 +21,7 @@ from site_builder.languages.words import FOLDER, Words, book_words, languages, l
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.numbering import slug
 from site_builder.settings.declared import Key, Reader, texts
-from site_builder.settings.model import FILE_NAME, Settings, read_settings
+from site_builder.settings.model import Settings, read_settings
 
 
 def part_titles(parts: Mapping[str, str], chapters: Sequence[str]) -> list[str]:
@@ -36,23 +35,19 @@ def part_titles(parts: Mapping[str, str], chapters: Sequence[str]) -> list[str]:
     return titles
 
 
-def check_parts(
-    parts: Mapping[str, str],
-    chapters: Sequence[str],
-    toml: Toml,
-    problems: Diagnostics,
-    path: str = FILE_NAME,
+def _check_parts(
+    parts: Mapping[str, str], chapters: Sequence[str], toml: Toml, problems: Diagnostics
 ) -> None:
     """Report parts that begin with no chapter, and those that are not in the order of chapters."""
     last, before = -1, ""
     for title, first in parts.items():
         line = toml.line("parts", title)
         if first not in chapters:
-            problems.add(path, line, unknown("chapter", first, chapters))
+            problems.add(OUTLINE, line, unknown("chapter", first, chapters))
             continue
         if (place := chapters.index(first)) <= last:
             message = f"part {title!r} begins with {first!r}, where {before!r} has begun"
-            problems.add(path, line, f"{message}; legal: a chapter after {chapters[last]!r}")
+            problems.add(OUTLINE, line, f"{message}; legal: a chapter after {chapters[last]!r}")
         last, before = max(last, place), title
 
 
@@ -77,13 +72,10 @@ class Outline:
     """Of the title page, by the words of the link."""
     macros: Macros
     """Macros whose names are legal."""
-    path: str = OUTLINE
-    folder: str = ""
-    """Folder of a translation, below ``content/`` and below the site's root: ``de/``."""
 
 
 def read_outline(sources: Sources) -> Outline:
-    """The outline of the original; mistakes are reported."""
+    """The outline; mistakes are reported."""
     problems = sources.problems
     settings, toml = read_settings(sources)
     own = settings.language
@@ -93,16 +85,16 @@ def read_outline(sources: Sources) -> Outline:
         settings = replace(settings, language="en")
     words = read_words(sources, settings.language).labelled(asdict(settings.labels))
     check_colours(settings, sources, toml)
-    check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
+    _check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
     return Outline(
         settings,
         words,
         chapters=tuple(
             (name, toml.line_of_text(name), position)
-            for name, position in positions(settings, words)
+            for name, position in _positions(settings, words)
         ),
         hero_line=toml.line("hero"),
-        link_lines=link_lines(settings, toml),
+        link_lines=_link_lines(settings, toml),
         macros=_sound_macros(settings.macros, toml, problems),
     )
 
@@ -122,7 +114,7 @@ def read_words(sources: Sources, language: str) -> Words:
     return words
 
 
-def link_lines(settings: Settings, toml: Toml) -> dict[str, int]:
+def _link_lines(settings: Settings, toml: Toml) -> dict[str, int]:
     tables = {
         ("starts",): settings.starts,
         ("path", "stops"): settings.path.stops,
@@ -141,7 +133,7 @@ def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
     return sound
 
 
-def positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
+def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
     """Chapters are numbered, appendices lettered from A."""
     chapters, first = settings.chapters, settings.first_number
     parts = part_titles(settings.parts, [*map(chapter_id, chapters)])
@@ -162,10 +154,9 @@ def check_boxes(outline: Outline, problems: Diagnostics) -> None:
             problems.add(OUTLINE, outline.link_lines[name], f"box {name!r}; legal: {legal}")
 
 
-def check_addresses(outline: Outline, root: Path, problems: Diagnostics) -> None:
+def check_addresses(outline: Outline, problems: Diagnostics) -> None:
     """Two pages at one address: one would silently take the other's place."""
-    own = (*OWN_FOLDERS, *languages(root))
-    taken = dict.fromkeys(own, "a folder of the site's own")
+    taken = dict.fromkeys(OWN_FOLDERS, "a folder of the site's own")
     for name, line, _ in outline.chapters:
         address = chapter_id(name)
         if address in taken:

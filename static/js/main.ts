@@ -18,12 +18,11 @@ import * as search from "./page/search.ts";
 import { FORGETFUL } from "./page/storage.ts";
 import * as terms from "./page/terms.ts";
 import * as theme from "./page/theme.ts";
-import { useWordsOf, words } from "./page/words.ts";
+import { words } from "./page/words.ts";
 import * as progress from "./question/progress.ts";
 import * as questions from "./question/questions.ts";
 
 const AIDS = [theme, deeper, search, keys, cases, terms, scrolling, offline, release];
 
-useWordsOf(document);
 addEventListener(FORGETFUL, () => notice(words("page.forgetful")));
 begin([figures, instruments, ladders, questions, progress, ...AIDS]);

@@ -13,7 +13,7 @@ from support.static_server import StaticServer, serving
 
 from site_builder.cache.results import Cache, using
 from site_builder.files.folders import folder_files
-from site_builder.pages.versions import EMBED_FOLDER
+from site_builder.pages.embeds import EMBED_FOLDER
 from site_builder.publishing.hosting import compressed_copies
 
 NEEDED = re.compile(r'<link rel="(?:preload" as="font|stylesheet)"[^>]* href="([^"]+)"')

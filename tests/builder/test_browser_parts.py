@@ -34,12 +34,10 @@ from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.store import VERSIONS
 from site_builder.search.index import (
     STEMMERS,
-    Means,
     Record,
     SearchLibrary,
     fetch_library,
     index_of,
-    indexing,
 )
 
 
@@ -166,12 +164,12 @@ def record(number: int) -> Record:
 
 
 def test_index_has_every_section_and_a_fault_under_node_is_reported(tmp_path: Path) -> None:
-    means = indexing(fetch_library("en"), ENGLISH)
+    library = fetch_library("en")
     records = ((record(0), record(1)), (record(2),))
-    assert json.loads(index_of(records, means))["documentCount"] == 3
-    missing = Means((tmp_path / "missing.js", *means.scripts[1:]), ("", ""))
+    assert json.loads(index_of(records, library, ENGLISH))["documentCount"] == 3
+    missing = SearchLibrary({**library.scripts, "stemmer.js": tmp_path / "missing.js"})
     with pytest.raises(RuntimeError, match="missing"):
-        index_of(records, missing)
+        index_of(records, missing, ENGLISH)
     assert set(STEMMERS) == set(languages())
 
 

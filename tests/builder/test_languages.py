@@ -1,9 +1,8 @@
-"""Words of the interface: each language has all, each is asked for, none is lost; and a book in a
-second language, whose places, figures and answers are those of the original."""
+"""Words of the interface: each language has all, each is asked for, none is lost; and languages of
+a book's own."""
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -13,7 +12,6 @@ from support.little_book import OUTLINE, MakeBook, diagnostics, rendered
 from support.places import ROOT
 
 from site_builder.languages.words import ENGLISH, SCRIPT, Words, languages, load_words
-from site_builder.sources.translations.files import figure_markup
 
 GERMAN = load_words("de")
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
@@ -71,8 +69,7 @@ def test_every_interface_text_exists_and_is_used() -> None:
     for file, text in sources():
         named = QUOTED.findall(text)
         used |= {SCRIPT + key if file.suffix == ".ts" else key for key in named} | set(named)
-    made = (*MADE, "language.name")
-    assert [key for key in keys if key not in used and not key.startswith(made)] == []
+    assert [key for key in keys if key not in used and not key.startswith(MADE)] == []
 
 
 def forms(text: str | Mapping[str, str]) -> list[str]:
@@ -150,89 +147,16 @@ def bare(template: str) -> list[str]:
     return [word for part in (text, *read) for word in re.findall(r"[A-Za-z]{2,}", part)]
 
 
-ORIGINAL = "A {term}`bend`.\n\n$$x = 1$$\n\n## Far {#far}\n\n:::{simulation} demo\nLook.\n:::\n"
-QUIZ = "\n:::{quiz} which\nWhich?\n- [x] This\n  : Yes.\n- [ ] That\n  : No.\n:::\n"
-FILES = {
-    "content/glossary.toml": '["bend"]\nsays = "What bends."\nexplained = "first#far"\n',
-    "content/de/00-first.md": "---\ntitle: Erstes\nsummary: Das erste Kapitel.\n---\n"
-    + ORIGINAL.replace("`bend`", "`Biegung`").replace("Far", "Weit").replace("Look", "Schau")
-    + QUIZ,
-    "content/de/book.toml": 'title = "Kleines Buch"\nsubtitle = "Ein Buch."\n',
-    "content/de/glossary.toml": '["bend"]\nname = "Biegung"\nsays = "Was sich biegt."\n',
-    "content/de/labels.toml": '"Distortion" = "Verzeichnung"\n"# px" = "# Pixel"\n',
-}
-
-
-@pytest.fixture
-def site(make_book: MakeBook) -> Mapping[str, bytes]:
-    return rendered(make_book(f"{ORIGINAL}\n**bend**{QUIZ}", FILES))
-
-
-def hrefs(site: Mapping[str, bytes], path: str) -> dict[str, str]:
-    """Links of a page, each with the language that it is said to lead to."""
-    return {link["href"]: link["hreflang"] for link in read_html(site[path]).all("a")}
-
-
-LED = (
-    ("de/first/", "../../second/", "en"),
-    ("de/first/", "../../glossary/#bend", "en"),
-    ("de/first/", "../../first/", "en"),
-    ("de/first/", "../../de/", ""),
-    ("de/", "../de/first/", ""),
-    ("first/", "../de/first/", "de"),
-)
-"""Links of pages, and the language where it is another."""
-
-
-def test_pages_lead_to_their_translation_or_else_to_the_original(site: Mapping[str, bytes]) -> None:
-    translated = {name for name in site if name.startswith("de/")}
-    assert translated == {"de/index.html", "de/first/index.html"}
-    for path, address, language in LED:
-        assert hrefs(site, f"{path}index.html")[address] == language, (path, address)
-    assert "en" not in hrefs(site, "first/index.html").values()
-    assert "de" not in hrefs(site, "second/index.html").values()
-    for name, language in (("first/index.html", "en"), ("de/first/index.html", "de")):
-        page = read_html(site[name])
-        assert page.all("html")[0]["lang"] == language
-        heads = [link for link in page.all("link") if link["rel"] == "alternate"]
-        assert [link["hreflang"] for link in heads] == ["en", "de"]
-
-
-def test_a_translation_shares_answers_and_stills_and_has_words_of_its_own(
-    site: Mapping[str, bytes],
-) -> None:
-    first, german = (site[name].decode() for name in ("first/index.html", "de/first/index.html"))
-    for pattern in (r'"edition": "(\w+)"', r'src="(?:\.\./)+assets/([^"]+stills/[^"]+)"'):
-        found = re.findall(pattern, first)
-        assert found, pattern
-        assert found == re.findall(pattern, german), pattern
-    for words, page, other in (("Was sich biegt.", german, first), ("What bends.", first, german)):
-        assert words in page
-        assert words not in other
-    assert ">Verzeichnung</label>" in german
-    assert ">Distortion<" not in german
-
-
-def test_labels_of_drawings_are_translated_with_the_decimal_sign() -> None:
-    words = replace(GERMAN, figures={"(#, #) px": "(#; #) px", "#": "#"})
-    assert figure_markup("<text>(0.5, −2) px</text>", words) == "<text>(0,5; −2) px</text>"
-    slider = '<div aria-label="1.5" aria-valuenow="1.5"></div>'
-    assert figure_markup(slider, words) == '<div aria-label="1,5" aria-valuenow="1.5"></div>'
-
-
-def test_a_language_of_the_book_s_own_is_read_from_its_folder_and_from_right_to_left(
-    make_book: MakeBook,
-) -> None:
-    own = '[language]\nname = "עברית"\ndirection = "rtl"\n[labels]\nfigure = "איור"\n'
+def test_a_book_in_a_language_of_its_own_is_read_from_right_to_left(make_book: MakeBook) -> None:
     files = {
-        "content/languages/he.toml": own,
-        "content/he/00-first.md": FILES["content/de/00-first.md"].replace("{term}`Biegung`", "b"),
+        "content/languages/he.toml": '[language]\ndirection = "rtl"\n[labels]\nfigure = "איור"\n',
+        "content/book.toml": OUTLINE + 'language = "he"\n',
     }
-    site = rendered(make_book(f"{ORIGINAL.replace('{term}`bend`', 'b')}{QUIZ}", files))
-    (page,) = read_html(site["he/first/index.html"]).all("html")
-    assert (page["lang"], page["dir"]) == ("he", "rtl")
-    assert read_html(site["first/index.html"]).all("html")[0]["dir"] == "ltr"
-    assert "איור 0.1" in site["he/first/index.html"].decode()
+    site = rendered(make_book(":::{simulation} demo\nLook.\n:::\n", files))
+    for path in ("index.html", "first/index.html"):
+        (page,) = read_html(site[path]).all("html")
+        assert (page["lang"], page["dir"]) == ("he", "rtl")
+    assert "איור 0.1" in site["first/index.html"].decode()
 
 
 @pytest.mark.parametrize(

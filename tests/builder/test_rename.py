@@ -28,9 +28,6 @@ FILES = {
     "content/search.toml": '"first#near" = ["close by"]\n',
     "content/news.toml": '[[entry]]\ndate = 2026-11-22\ntitle = "N"\nsays = "S"\n'
     'chapter = "second"\n',
-    "content/de/book.toml": 'title = "T"\n[starts]\n"Los" = "second#a-section"\n',
-    "content/de/00-first.md": "---\ntitle: E\nsummary: Erstes.\n---\n"
-    + BODY.replace("## Near", "## Nah {#near}"),
 }
 
 
@@ -54,13 +51,12 @@ def test_a_renamed_book_has_no_mistake_and_its_old_addresses_lead_on(book: MakeB
         said = rename(options.root, old, new)
         assert "content/book.toml" in said or "#" in old
         assert diagnostics(options) == []
-    assert (options.root / "content" / "de" / "00-begin.md").exists()
     site = rendered(options)
-    for path in ("first/", "de/first/", "embed/first/figure-demo/"):
+    for path in ("first/", "embed/first/figure-demo/"):
         (link,) = read_html(site[f"{path}index.html"]).all("a")
         there = (Path("/") / path / link["href"]).resolve().as_posix().removeprefix("/")
         assert there == path.replace("first", "begin").removesuffix("/")
-    for path, old in (("begin/", "near"), ("de/begin/", "near"), ("second/", "a-section")):
+    for path, old in (("begin/", "near"), ("second/", "a-section")):
         assert f'id="{old}"' in site[f"{path}index.html"].decode()
     assert not [path for path in site if path.endswith("sitemap.xml")]
 

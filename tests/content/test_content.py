@@ -1,4 +1,4 @@
-"""The book's own text, questions, translation and recorded measurements are right.
+"""The book's own text, questions and recorded measurements are right.
 
 Numbers of figures and measurements come from roles in the text. Results that the text works out, so
 that the reader can check them by hand, are computed again in the modules beside this one, and their
@@ -8,18 +8,15 @@ phrases are looked up in the source.
 import re
 from importlib import import_module
 from inspect import isgeneratorfunction
-from itertools import chain, product
 from math import ceil
 from pathlib import Path
 from statistics import mean
 
 import pytest
-from support.frames import frame_of
 from support.worked_numbers import CONTENT, SLOW, Calculation, source
 
 from simulations.engine.ladder import DRAWS, errors_of_draws
 from simulations.registry import LADDER_MODULES, load_ladder, load_scene
-from simulations.scenes.formation_pipeline.scene import SCENE as PIPELINE
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import Measurements, read_measurements
 from site_builder.benchmarks.measuring import close, finite
@@ -27,7 +24,6 @@ from site_builder.benchmarks.readouts import read_stage_costs
 from site_builder.checks.whole_book import FEW_LETTERS
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.text import Sources
-from site_builder.sources.translations.files import LABELLED, NUMBER, read_labels
 
 ROOT = CONTENT.parent
 CHAPTERS = sorted(file.stem for file in CONTENT.glob("*.md"))
@@ -161,18 +157,3 @@ def test_recorded_time_shares_of_the_camera_support_the_book() -> None:
     assert late <= 0.50
     assert min(share["Focus distance"], share["Focal length"]) > late, "they move the rays"
     assert all(0 < each <= 1 for each in share.values())
-
-
-SAME = {"Pose", "Sensor", "# · sRGB(# / #) = #"}
-"""In English and in German."""
-
-
-def test_every_text_of_the_translated_figure_is_translated() -> None:
-    labels = read_labels(Sources(ROOT), "de")
-    said: set[str] = set()
-    for station, again in product(range(8), range(4)):
-        frame = frame_of(PIPELINE, station=float(station), again=again)
-        drawn = chain.from_iterable(LABELLED.findall(panel.overlay) for panel in frame.panels)
-        said |= {NUMBER.sub("#", text.strip()) for text in (frame.description, *drawn)}
-    assert {text for text in said if any(map(str.isalpha, text))} <= labels.keys() | SAME
-    assert sum("Chance" in text for text in said) == 2, "errors of reading of either sign"

@@ -14,7 +14,6 @@ from support.static_server import StaticServer
 pytestmark = pytest.mark.browser
 
 LISTS = ("references/", "lecture-plan/", "glossary/", "symbols/", "index-of-terms/")
-TRANSLATED = ("de/", "de/why-image-formation/")
 LARGER_LETTERS = """html { font-size: 34px !important; }"""
 """Text twice as large as a phone's default, set without zooming."""
 
@@ -227,7 +226,7 @@ ON_PAPER = [Rule("is a control", CONTROLS_ON_PAPER), Rule("is folded", FOLDED_ON
 
 
 def pages(book: Any) -> list[str]:
-    return ["", *TRANSLATED, *LISTS, *(chapter["url"] for chapter in book["chapters"])]
+    return ["", *LISTS, *(chapter["url"] for chapter in book["chapters"])]
 
 
 def faults(reader: Reader, rules: Iterable[Rule], where: str) -> Iterator[str]:

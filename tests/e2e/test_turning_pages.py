@@ -1,4 +1,4 @@
-"""Navigation: pages, sections, languages, keys, themes, terms, citations and search."""
+"""Navigation: pages, sections, keys, themes, terms, citations and search."""
 
 import re
 import tomllib
@@ -62,44 +62,6 @@ def test_links_lead_to_sections_and_going_back_restores_the_place(
     expect(link).to_have_css("opacity", "1")
     page.keyboard.press("Enter")
     page.wait_for_function("href => location.hash === href", arg=link.get_attribute("href"))
-
-
-def test_another_language_keeps_section_figures_interpreter_and_answers(visitor: Reader) -> None:
-    page, section = visitor.page, "exploit-it-or-compensate-for-it"
-    figure = page.locator("#figure-formation-pipeline")
-    question = page.locator("#quiz-why-model-formation")
-    visitor.turn_to("why-image-formation/")
-    (worker,) = page.workers
-    figure.locator("input[name=albedo]").fill("0.3")
-    page.wait_for_url("**albedo=0.3**")
-    question.locator("input[value='3']").check()
-    question.locator("button[type=submit]").click()
-    page.locator(f"#{section}").evaluate("one => one.scrollIntoView({behavior: 'instant'})")
-    page.locator(f".other-language[href$='#{section}']").click()
-    page.wait_for_url(f"{visitor.root}de/why-image-formation/?*albedo=0.3#{section}")
-    assert page.locator("html").get_attribute("lang") == "de"
-    page.wait_for_function(
-        "id => Math.abs(document.getElementById(id).getBoundingClientRect().top) < 120", arg=section
-    )
-    assert "Die Höhe in Pixeln" in question.locator("[role=status]").inner_text()
-    visitor.wait_live()
-    assert page.workers == [worker]
-    assert figure.locator(".control-value").first.inner_text() == "0,30"
-    figure.get_by_text("Weiter", exact=True).click()
-    drawing = figure.locator("svg.overlay").last
-    expect(drawing).to_contain_text("(0,40; −0,30; 4,00) m von der Kamera")
-    expect(figure.locator(".description[lang=de]")).to_contain_text("Kamera")
-    page.go_back()
-    page.wait_for_function("document.documentElement.lang === 'en'")
-    assert page.locator(f".other-language[href$='#{section}']").inner_text() == "Deutsch"
-    page.locator(".other-language").first.click()
-    page.wait_for_function("document.documentElement.lang === 'de'")
-    dialog = open_search(visitor)
-    for words, address in (("Farbtupfer", "/de/why-image-formation/"), ("vignetting", "/lens-")):
-        dialog.locator("input").fill(words)
-        found = re.compile(re.escape(address))
-        expect(dialog.locator("a[data-result]").first).to_have_attribute("href", found)
-    page.keyboard.press("Escape")
 
 
 @pytest.mark.parametrize(("system", "pressed"), [("light", "dark"), ("dark", "light")])

@@ -216,7 +216,7 @@ def part_of(options: Options, part: str) -> str:
             begin = sources.index(IMPORT) if IMPORT in sources else 0
             return "\n\n".join(sources[begin:]) + "\n"
         case "search":
-            book, frames, *_ = check_site(options)
+            book, frames, _ = check_site(options)
             records, *_ = make_records(book, describing(frames))
             return "".join(
                 f"{record.address}\n"

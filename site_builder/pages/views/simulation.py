@@ -22,7 +22,6 @@ from site_builder.files.folders import address_of
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.policy import json_for_html
 from site_builder.pool.loading import loaded
-from site_builder.sources.translations.files import figure_text
 
 CONTROL_KINDS = ENGINE / "simulations" / "engine" / "controls"
 """Where the kinds of controls lie."""
@@ -142,8 +141,6 @@ class SimulationView:
     name: str
     """The scene's title, numbered where the page shows the scene again."""
     description: str
-    is_described: bool
-    """In the language of a translation."""
     panels: tuple[PanelView, ...]
     """The one that leads first."""
     cells: tuple[Cell, ...]
@@ -191,13 +188,10 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
     readouts, folded_readouts = readouts_in_sight(still)
     return SimulationView(
         name=_name(figure),
-        description=figure_text(frame.description, words),
-        is_described=figure_text(frame.description, words) != frame.description,
+        description=frame.description,
         panels=tuple(
             PanelView(
-                replace(panel, title=figure_text(panel.title, words)),
-                *_picture(still, panel.name, assets),
-                _handles(still, panel.name, words),
+                panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)
             )
             for panel in sorted(frame.panels, key=lambda panel: not panel.lead)
         ),
@@ -249,10 +243,7 @@ def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView,
     def view(handle: Handle[Any]) -> HandleView:
         driven = [controls[name] for name in handle.drives]
         values = still.values
-        said = (
-            f"{figure_text(item.label, words)} {value_text(item, values[item.name], words)}"
-            for item in driven
-        )
+        said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
         reach = None
         if len(driven) == 1 and not isinstance(driven[0], Points):
             reach = driven[0].span(values[driven[0].name])
@@ -266,7 +257,7 @@ def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView,
 
 def _hint(handle: Handle[Any], words: Words) -> str:
     key = "figure.press" if handle.reach == "aim" else "figure.drag"
-    label = figure_text(handle.label, words)
+    label = handle.label
     begins = words(key, handle="").startswith(" ")
     return words(key, handle=label if begins else label[:1].lower() + label[1:])
 
@@ -275,8 +266,8 @@ def _keys(driven: Sequence[Control], words: Words) -> str:
     if isinstance(driven[0], Points):
         return words("figure.arrows_move")
     if len(driven) == 1:
-        return words("figure.arrows", control=figure_text(driven[0].label, words))
-    across, along = (figure_text(control.label, words) for control in driven)
+        return words("figure.arrows", control=driven[0].label)
+    across, along = (control.label for control in driven)
     return words("figure.arrows_both", across=across, along=along)
 
 

@@ -4,8 +4,6 @@
  * that differ are styled, laid out and painted anew.
  */
 
-import { figureMarkup } from "../page/words.ts";
-
 /**
  * Where markup is parsed: an `svg`, so that its children are read as those of an overlay, in a document
  * that loads nothing.
@@ -33,7 +31,7 @@ export class Overlay {
   /** Show what `markup` says, as if it had been parsed into the place. */
   show(markup: string) {
     if (markup === this.#shown) return;
-    scratch.innerHTML = figureMarkup(markup);
+    scratch.innerHTML = markup;
     makeInert(scratch, markup);
     changeChildren(this.svg, scratch);
     scratch.replaceChildren();

@@ -5,7 +5,7 @@
 
 import { all, maybe, one } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
-import { figureText, numeral, words } from "../page/words.ts";
+import { numeral, words } from "../page/words.ts";
 import type { Readout } from "../runtime/messages.ts";
 import { Overlay } from "./overlay.ts";
 
@@ -44,7 +44,7 @@ export class Painter {
       fit(view, panel);
       if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
       overlay?.show(panel.overlay);
-      setText(title, figureText(panel.title));
+      setText(title, panel.title);
     }
     for (const readout of meta.readouts) this.#write(readout);
   }
@@ -137,7 +137,7 @@ function paintReadout(figure: HTMLElement, readout: Readout) {
   if (output.textContent !== text) box.dataset.moved = "";
   setText(output, text);
   const unit = box.querySelector(".unit");
-  setText(unit, figureText(readout.unit));
+  setText(unit, readout.unit);
   unit?.classList.toggle("close", readout.unit === "°");
   const classes = readout.role ? `readout role-${readout.role}` : "readout";
   if (box.className !== classes) box.className = classes;

@@ -6,10 +6,9 @@
 
 import { savesData } from "../page/data_saver.ts";
 import { element, maybe, one } from "../page/dom.ts";
-import { formatValue } from "../page/text.ts";
+import { formatValue, setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
-import { describe } from "./status.ts";
 import { readValues, type Schema, type Value } from "./controls.ts";
 import type { Place } from "./handles.ts";
 import type { Meta, Painter } from "./painter.ts";
@@ -88,7 +87,7 @@ export class Prerendered {
       if (still) still.src = address;
     }
     this.place(frame.handles);
-    describe(one(figure, ".description", HTMLElement), frame.description);
+    setText(one(figure, ".description", HTMLElement), frame.description);
     this.#mark(words("figure.early", { setting: this.#setting(control, frame.value) }));
     figure.dataset.early = String(frame.value);
   }

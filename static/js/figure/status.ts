@@ -6,13 +6,12 @@
  * of the frame that is shown.
  */
 
-import { LANGUAGE } from "../book.js";
 import { message } from "../errors.ts";
 import { startSurvived } from "../page/data_saver.ts";
 import { one } from "../page/dom.ts";
 import { offerRelease } from "../page/release.ts";
-import { setAttribute, setText } from "../page/text.ts";
-import { figureText, words } from "../page/words.ts";
+import { setText } from "../page/text.ts";
+import { words } from "../page/words.ts";
 import { RuntimeFailure } from "../runtime/runtime.ts";
 
 /**
@@ -84,15 +83,8 @@ export function announcer(element: HTMLElement): (text: string) => void {
     timer = setTimeout(() => {
       const isArrival = navigator.userActivation?.hasBeenActive === false;
       element.setAttribute("aria-live", isArrival ? "off" : "polite");
-      describe(element, text);
+      setText(element, text);
       element.dispatchEvent(new Event("figure-rest", { bubbles: true }));
     }, REST);
   };
-}
-
-/** Write what a figure shows, in the language of the page where a translation has it. */
-export function describe(element: HTMLElement, text: string) {
-  const said = figureText(text);
-  setText(element, said);
-  setAttribute(element, "lang", said === text ? LANGUAGE : document.documentElement.lang);
 }

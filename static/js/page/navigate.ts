@@ -10,7 +10,7 @@ import { opened } from "./deeper.ts";
 import { all, hashTarget, isPlain, unfold, within } from "./dom.ts";
 import { notice } from "./notice.ts";
 import { isOfRelease } from "./release.ts";
-import { useWordsOf, words } from "./words.ts";
+import { words } from "./words.ts";
 
 /** What a head says of its own page, or with addresses relative to it. */
 const OF_A_PAGE = [
@@ -64,8 +64,6 @@ export function begin(pageParts: Part[]) {
     const url = link && !event.defaultPrevented && isPlain(event) ? linkedPage(link) : null;
     if (!url || document.querySelector("[data-unsaved]")) return; // of which the browser asks
     event.preventDefault();
-    // In another language, the figures are as they were left.
-    if (link?.matches(".other-language")) url.search = location.search;
     saveScroll();
     turnTo(url, turned, () => {
       leaveShown();
@@ -135,8 +133,6 @@ function parse({ text }: Page) {
 /** Called when the address is already the new page's, so that relative links resolve. */
 function putInPlace(page: Document) {
   document.title = page.title;
-  document.documentElement.lang = page.documentElement.lang;
-  useWordsOf(page);
   const old = document.head.querySelectorAll(OF_A_PAGE);
   document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
   for (const part of old) part.remove();

@@ -1,7 +1,7 @@
 /**
  * What follows from how a page is scrolled: the header, which shows how far one has read and is out
- * of the way on small screens; the section that is read, marked in the contents and meant by links to
- * other languages; and what can be pushed sideways, which can be focused so that arrow keys push it.
+ * of the way on small screens; the section that is read, marked in the contents; and what can be
+ * pushed sideways, which can be focused so that arrow keys push it.
  */
 
 import { all, maybe } from "./dom.ts";
@@ -89,9 +89,6 @@ function markSection() {
   const current = listed().findLast(
     (heading) => heading.getBoundingClientRect().top < LINE * innerHeight,
   );
-  for (const link of all(document, ".other-language", HTMLAnchorElement)) {
-    link.hash = current?.id ?? "";
-  }
   for (const link of all(document, ".sections a", HTMLAnchorElement)) {
     const isCurrent = current !== undefined && idOf(link) === current.id;
     link.ariaCurrent = isCurrent ? "location" : null;

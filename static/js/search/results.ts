@@ -6,10 +6,10 @@ import { words } from "../page/words.ts";
 import { find, settings, type Hit } from "./ranking.ts";
 import { formsOf, language, type Language, wordsIn } from "./words.ts";
 
-/** The sections of the book, and how words of the page's language are compared. */
+/** The sections of the book, and how words of its language are compared. */
 export interface Index {
-  /** One MiniSearch, or two: of a translation, then of the original for what that lacks. */
-  sections: any[];
+  /** A MiniSearch. */
+  sections: any;
   language: Language;
 }
 
@@ -24,16 +24,13 @@ export async function fetchIndex(): Promise<Index> {
   const again = attempts > 0 ? `?again=${attempts}` : "";
   attempts += 1;
   const library = (name: string) => import(address("assets", `search/${name}`) + again);
-  const { language: translation } = document.body.dataset;
-  const names = translation ? [translation, "index"] : ["index"];
-  const [{ default: MiniSearch }, { stemmer }, ...indices] = await Promise.all([
+  const [{ default: MiniSearch }, { stemmer }, index] = await Promise.all([
     library("minisearch.js"),
-    library(`stemmer-${document.documentElement.lang}.js`),
-    ...names.map((name) => fetchJson(`search/${name}.json`)),
+    library("stemmer.js"),
+    fetchJson("search/index.json"),
   ]);
   const compared = language(stemmer, words("search.stop_words"), words("search.synonyms"));
-  const sections = indices.map((index) => MiniSearch.loadJS(index, settings(compared)));
-  return { sections, language: compared };
+  return { sections: MiniSearch.loadJS(index, settings(compared)), language: compared };
 }
 
 async function fetchJson(path: string) {
@@ -55,11 +52,7 @@ export function show(dialog: HTMLDialogElement, { sections, language: compared }
   const list = one(dialog, ".search-results", HTMLElement);
   if (shown.get(list) === query) return;
   shown.set(list, query);
-  const found = sections.map((index) => find(index, compared, query));
-  const { hits, exact } =
-    found.find((each) => each.exact && each.hits.length > 0) ??
-    found.find((each) => each.hits.length > 0) ??
-    found[0];
+  const { hits, exact } = find(sections, compared, query);
   const template = one(dialog, "template", HTMLTemplateElement);
   list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, compared)));
   list.scrollTop = 0;

@@ -1,7 +1,6 @@
 /** A button; its value is the number of presses modulo the number of its labels. */
 
 import type { Control, Kind } from "../../../../static/js/figure/controls.ts";
-import { figureText } from "../../../../static/js/page/words.ts";
 
 export interface Action extends Control {
   kind: "action";
@@ -21,7 +20,7 @@ export const kind: Kind<Action, HTMLButtonElement> = {
 
   write(field, { labels }, value) {
     field.dataset.state = String(value);
-    field.textContent = figureText(labels[Number(value)]);
+    field.textContent = labels[Number(value)];
   },
 
   parse({ labels }, text) {

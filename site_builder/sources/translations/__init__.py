@@ -1,1 +1,0 @@
-"""A book in further languages: what is translated stands in ``content/LANGUAGE/``."""
