@@ -34,6 +34,7 @@ from simulations.engine.ladder import Ladder, TierResult, errors_of_draws, measu
 from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import COMMAND, DATA, read_measurements
+from site_builder.files.folders import replace_file
 from site_builder.files.text import Sources
 from site_builder.programs.chromium import launch_arguments, require_chromium
 from site_builder.runtime.pack import pack_runtime
@@ -164,7 +165,7 @@ def merge(
 def write(data: Mapping[str, Any], file: Path) -> None:
     """An object stands on one line where it fits; otherwise each of its values begins a line, but
     for those in `ONE_LINE`."""
-    file.write_text(_laid_out(data) + "\n", encoding="utf-8")
+    replace_file(file, f"{_laid_out(data)}\n".encode())
 
 
 def _laid_out(value: Any, depth: int = 0, before: int = 0) -> str:

@@ -6,6 +6,7 @@ import hashlib
 import io
 import os
 import re
+import stat
 import tempfile
 import zipfile
 from collections.abc import Collection, Mapping
@@ -51,16 +52,16 @@ def file_hash(file: Path | str) -> bytes | None:
     """The hash of its bytes; None where there is no such file."""
     name = os.fspath(file)
     try:
-        stat = os.stat(name)  # noqa: PTH116  (asked of every file in every build)
-        state = (stat.st_mtime_ns, stat.st_size, stat.st_ino)
+        found = os.stat(name)  # noqa: PTH116  (asked of every file in every build)
+        state = (found.st_mtime_ns, found.st_size, found.st_ino)
         known = _known.get(name)
         if known and known[0] == state:
             return known[1]
-        found = bytes_hash(Path(name).read_bytes())
+        digest = bytes_hash(Path(name).read_bytes())
     except OSError:
         return None
-    _known[name] = (state, found)
-    return found
+    _known[name] = (state, digest)
+    return digest
 
 
 def folder_hash(folder: Path, pattern: str = "*") -> bytes:
@@ -124,13 +125,28 @@ def archive_of(members: Mapping[str, bytes], stored: Collection[str] = ()) -> by
     return buffer.getvalue()
 
 
-def replace_file(file: Path, data: bytes) -> None:
-    """Write a file whole: readers have the old one or the new one, also with several writers."""
-    handle, name = tempfile.mkstemp(dir=file.parent, prefix=".new-")
+def replace_files(files: Mapping[Path, bytes]) -> None:
+    """Write files whole, each beside its place before the first is moved there: a reader has the
+    old one or the new one, and where the disk is full all stay as they were.
+
+    A link stays a link, and a file that is replaced keeps its permissions. Raises `OSError`.
+    """
+    written: dict[Path, str] = {}
     try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        Path(name).chmod(0o644)
-        Path(name).replace(file)
+        for file in files:
+            place = file.resolve()
+            place.parent.mkdir(parents=True, exist_ok=True)
+            handle, written[place] = tempfile.mkstemp(dir=place.parent, prefix=".new-")
+            with os.fdopen(handle, "wb") as stream:
+                stream.write(files[file])
+            mode = place.stat().st_mode if place.exists() else 0o644
+            Path(written[place]).chmod(stat.S_IMODE(mode))
+        for place, name in written.items():
+            Path(name).replace(place)
     finally:
-        Path(name).unlink(missing_ok=True)
+        for name in written.values():
+            Path(name).unlink(missing_ok=True)
+
+
+def replace_file(file: Path, data: bytes) -> None:
+    replace_files({file: data})

@@ -112,7 +112,6 @@ def _fill_in_place(fresh: Path, out: Path) -> None:
     """Each file whole, those that pages load before the pages."""
     new = sorted(folder_files(fresh), key=lambda name: name.endswith((".html", ".json")))
     for name in new:
-        (out / name).parent.mkdir(parents=True, exist_ok=True)
         replace_file(out / name, (fresh / name).read_bytes())
     for name in folder_files(out).keys() - {*new}:
         (out / name).unlink()

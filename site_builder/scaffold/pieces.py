@@ -12,6 +12,7 @@ from functools import cache
 from importlib.metadata import distribution
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import MappingProxyType
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
@@ -20,6 +21,7 @@ from site_builder.benchmarks.measurements import COMMAND
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import OUTLINE
 from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, SHARED, own_or_engine
+from site_builder.files.folders import replace_files
 
 FORM = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 
@@ -83,14 +85,15 @@ def _environment() -> Environment:
     )
 
 
-def write_new(root: Path, files: Mapping[str, str]) -> None:
-    """Write ``files``, by their paths below ``root``. Raises `ScaffoldError` where one is there."""
+def write_new(
+    root: Path, files: Mapping[str, str], changed: Mapping[str, str] = MappingProxyType({})
+) -> None:
+    """Write new ``files``, by their paths below ``root``, and others that are ``changed``. Raises
+    `ScaffoldError` where a new one is there."""
     there = [path for path in files if (root / path).exists()]
     if there:
         raise ScaffoldError(f"{', '.join(there)} is there already; legal: a name that is not taken")
-    for path, text in files.items():
-        (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text, encoding="utf-8")
+    replace_files({root / path: text.encode() for path, text in {**files, **changed}.items()})
 
 
 def packages(root: Path, module: str) -> dict[str, str]:
@@ -126,9 +129,7 @@ def make_book(folder: Path) -> list[str]:
             text = filled(f"book/{path}", **given) if path.endswith(SUFFIX) else None
             data = template.read_bytes() if text is None else text.encode()
             files[path.removesuffix(SUFFIX).replace("dot-", ".")] = data
-    for path, data in files.items():
-        (folder / path).parent.mkdir(parents=True, exist_ok=True)
-        (folder / path).write_bytes(data)
+    replace_files({folder / path: data for path, data in files.items()})
     return sorted(files)
 
 
@@ -175,9 +176,8 @@ def chapter(root: Path, text: str) -> Made:
     before = listed[1].rstrip()
     comma = "" if not before or before.endswith(",") else ","
     listing = f'chapters = [{before}{comma}\n  "{file}",\n]'
-    write_new(root, {f"content/{file}.md": _fill("chapter/chapter.md", name)})
     changed = outline[: listed.start()] + listing + outline[listed.end() :]
-    (root / OUTLINE).write_text(changed, encoding="utf-8")
+    write_new(root, {f"content/{file}.md": _fill("chapter/chapter.md", name)}, {OUTLINE: changed})
     return {f"content/{file}.md": "", OUTLINE: ""}, f"write it; its place is in {OUTLINE}"
 
 

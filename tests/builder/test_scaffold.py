@@ -2,9 +2,10 @@
 and the book again after the engine was upgraded."""
 
 import re
+import resource
 import shutil
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,10 @@ from simulations.engine.controls import Action, Slider, Value
 from simulations.engine.frame import Frame, content
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
+from site_builder.benchmarks.measurements import DATA
+from site_builder.benchmarks.measuring import write
 from site_builder.checks.whole_book import PLACEHOLDERS
+from site_builder.document.book import OUTLINE
 from site_builder.scaffold.pieces import (
     GALLERY,
     PIECES,
@@ -202,6 +206,51 @@ def test_existing_file_is_never_overwritten(first_book: Path) -> None:
         with pytest.raises(ScaffoldError, match="is there already; legal: "):
             make_new(first_book, kind, name)
     assert what_an_author_wrote(first_book) == before
+
+
+WRITERS: Mapping[str, Callable[[Path], object]] = {
+    "new chapter": lambda root: make_new(root, "chapter", "two-balls"),
+    "bench": lambda root: write({"ladders": [*range(9000)]}, root / DATA),
+}
+"""Commands that change sources."""
+
+
+@pytest.fixture
+def sources(tmp_path: Path) -> Path:
+    (tmp_path / "content").mkdir()
+    outline = f"chapters = []\n{'# A comment.\n' * 1000}"
+    (tmp_path / OUTLINE).write_text(outline, encoding="utf-8")
+    (tmp_path / DATA).write_text("{}", encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize("command", WRITERS)
+def test_where_the_disk_is_full_the_sources_stay_as_they_were(command: str, sources: Path) -> None:
+    before = {file: file.read_bytes() for file in sources.rglob("*.*")}
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (9000, limits[1]))
+    try:
+        with pytest.raises(OSError, match="File too large"):
+            WRITERS[command](sources)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert {file: file.read_bytes() for file in sources.rglob("*.*")} == before
+
+
+@pytest.mark.parametrize("command", WRITERS)
+def test_a_source_that_is_a_link_stays_one_and_keeps_its_permissions(
+    command: str, sources: Path
+) -> None:
+    elsewhere = (sources / "content").rename(sources / "elsewhere")
+    (sources / "content").mkdir()
+    for file in elsewhere.iterdir():
+        file.chmod(0o640)
+        (sources / "content" / file.name).symlink_to(file)
+    before = {file: file.read_bytes() for file in elsewhere.iterdir()}
+    WRITERS[command](sources)
+    assert {file: file.read_bytes() for file in before} != before
+    assert {file.stat().st_mode & 0o777 for file in before} == {0o640}
+    assert all((sources / "content" / file.name).is_symlink() for file in before)
 
 
 def test_a_folder_with_something_in_it_gets_no_book(tmp_path: Path) -> None:
