@@ -15,6 +15,7 @@ from mdit_py_plugins.front_matter import front_matter_plugin
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directive import Directive, DirectiveCall, OptionValue
 from site_builder.markdown.directives import DIRECTIVES
+from site_builder.markdown.directives.boxes import book_boxes
 from site_builder.markdown.numbering import heading_ids_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
@@ -136,16 +137,14 @@ def make_parser(
     # Labels as written: what is no label is reported.
     parser.use(dollarmath_plugin, allow_space=False, allow_digits=False, label_normalizer=str)
     # Each before the rule that would otherwise take, or change, what is meant for it.
-    directives = partial(directive_rule, {directive.name: directive for directive in DIRECTIVES})
+    directives = {item.name: item for item in (*book_boxes(boxes), *DIRECTIVES)}
     roles = partial(role_rule, {role.name: role for role in ROLES})
-    parser.block.ruler.before("math_block", "directive", directives, {"alt": ENDED_BY_DIRECTIVES})
+    rule = partial(directive_rule, directives)
+    parser.block.ruler.before("math_block", "directive", rule, {"alt": ENDED_BY_DIRECTIVES})
     parser.inline.ruler.before("backticks", "role", roles)
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
-    parser.core.ruler.after(
-        "normalize",
-        "dialects",
-        partial(dialects_rule, tuple(item.name for item in DIRECTIVES), boxes),
-    )
+    dialects = partial(dialects_rule, tuple(directives))
+    parser.core.ruler.after("normalize", "dialects", dialects)
     parser.core.ruler.before("smartquotes", "typography", typography_rule)
     parser.core.ruler.before("typography", "heading_ids", heading_ids_rule)
     # Before escaped characters, which are meant, are joined with the text around them.

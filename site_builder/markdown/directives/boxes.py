@@ -1,8 +1,10 @@
-"""``{note}``, ``{tip}``, ``{warning}``, ``{key-idea}`` and ``{example}``, boxes with titles; and
-``{table}``, a table that has a caption."""
+"""``{note}``, ``{tip}``, ``{warning}``, ``{key-idea}`` and ``{example}``, boxes with titles, and
+boxes that a book adds; and ``{table}``, a table that has a caption."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
 
 from markdown_it.token import Token
 
@@ -89,3 +91,18 @@ TABLE = Directive(
     numbered=Numbered("Table", lambda call: f"table-{slug(call.argument)}"),
     plain=lambda table: Plain((table.title, table.table)),
 )
+
+
+def book_boxes(titles: Mapping[str, str]) -> Iterator[Directive[Any]]:
+    """The directives that a book adds by ``[boxes]`` in ``book.toml``: notes that begin with these
+    titles, which are given by the names of the directives."""
+    (note,) = (callout for callout in CALLOUTS if callout.name == "note")
+    for name, title in titles.items():
+        yield replace(note, name=name, read=partial(_read_book_box, title))
+
+
+def _read_book_box(
+    title: str, call: DirectiveCall, body: Sequence[Block] | Passage, context: ParseContext
+) -> Box:
+    argument = ". ".join(filter(None, (title, call.argument)))
+    return read_box(replace(call, name="note", argument=argument), body, context)

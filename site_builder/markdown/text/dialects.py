@@ -3,7 +3,7 @@ roles, equations as LaTeX and Quarto write them. It is read as if written in our
 so that places stay right. What has another name here is said to have it (`CALLED`)."""
 
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator
 
 from markdown_it.rules_core import StateCore
 
@@ -35,7 +35,6 @@ ROLES = {
 }
 ROLE = re.compile(rf"(?<!`)\{{({'|'.join(ROLES)}|math)\}}`([^`\n]+)`")
 FENCE = re.compile(r"(`{3,}|~{3,})\{([\w:-]+)\}(.*)")
-BOX = re.compile(r"([:`~]{3,})\{([\w-]+)\}(.*)")
 CODE = re.compile(r"\s*(`{3,}|~{3,})")
 LABEL = re.compile(r"\(([\w:.-]+)\)=\s*")
 TEX_LABEL = re.compile(r"\\label\{([^}]*)\}")
@@ -55,17 +54,13 @@ def unknown_directive(name: str, ours: Collection[str]) -> str:
     return f"unknown directive {name!r}; legal: {here}" if here else found
 
 
-def dialects_rule(ours: Collection[str], boxes: Mapping[str, str], state: StateCore) -> None:
-    """Before all others. ``ours``: names of directives; ``boxes``: titles of the book's own."""
-    ours = (*ours, *boxes)
+def dialects_rule(ours: Collection[str], state: StateCore) -> None:
+    """Before all others. ``ours``: names of directives."""
     lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
     code = [*_code(lines, ours, problems)]
     for place, line in enumerate(lines):
         if not code[place]:
-            if (box := BOX.fullmatch(line)) and box[2] in boxes:
-                title = ". ".join(filter(None, (boxes[box[2]], box[3].strip())))
-                line = f"{box[1]}{{note}} {title}"
             lines[place] = AFTER.sub(lambda found: f"$$ ({_ours(found[1])})", ROLE.sub(_role, line))
             if LABEL.fullmatch(line):
                 _label(lines, place)
