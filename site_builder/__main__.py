@@ -16,6 +16,7 @@ from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import Cache, using
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json, counted
 from site_builder.document.book import Book
+from site_builder.files.folders import replace_file
 from site_builder.output.writer import advice, write_site
 from site_builder.photographs import prepare_photographs
 from site_builder.pool.loading import read_figures
@@ -86,14 +87,6 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.scaffold.pieces import make_new  # needed only here
 
             print(make_new(ROOT, given.kind, given.name, given.like))
-        case "rename":
-            from site_builder.scaffold.rename import rename
-
-            print(rename(ROOT, given.old, given.new))
-        case "import":
-            from site_builder.scaffold.importing import import_file
-
-            print(import_file(ROOT, given.file))
         case "pdf" | "epub":
             # Readers of pages and printers are needed only here.
             from site_builder.editions.compose import compose
@@ -179,8 +172,7 @@ def _edition(book: Book, kind: str) -> Path:
 
 
 def written(out: Path, edition: bytes) -> None:
-    out.parent.mkdir(parents=True, exist_ok=True)
-    out.write_bytes(edition)
+    replace_file(out, edition)
     print(f"{out}: {len(edition) / 1e6:.1f} MB")
 
 
@@ -218,11 +210,6 @@ def _parser() -> argparse.ArgumentParser:
     new.add_argument("kind", choices=NEW)
     new.add_argument("name", help="such as falling-ball; of a book, its folder")
     new.add_argument("--like", default="", help="for a scene: a figure of the guide's gallery")
-    rename = add("rename", "give a chapter or a section another id; old addresses lead to it")
-    rename.add_argument("old", help="such as falling-ball or falling-ball#a-section")
-    rename.add_argument("new", help="the new id")
-    imported = add("import", "make a notebook, or a page of MyST, a chapter of this book")
-    imported.add_argument("file", help="NAME.ipynb or NAME.md")
     for name, purpose in (
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),

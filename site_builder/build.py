@@ -46,7 +46,7 @@ from site_builder.files.text import Sources
 from site_builder.output.writer import write_site
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.page import Site
-from site_builder.pages.render import redirections, render_pages
+from site_builder.pages.render import render_pages
 from site_builder.pages.views.question import catalogue
 from site_builder.photographs import credits_of
 from site_builder.publishing.hosting import (
@@ -220,7 +220,7 @@ def render(
         **in_page(assets, reload=reload),
     )
     pages = render_pages(site, _licences(root, parts, book))
-    files = {**assets.files, **parts.runtime_files, **dict(redirections(book, pages))}
+    files = {**assets.files, **parts.runtime_files}
     return RenderedSite(checked, options, parts, assets.folder, pages, files, search_index)
 
 

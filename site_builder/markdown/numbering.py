@@ -24,7 +24,7 @@ from site_builder.markdown.parse_context import FigurePlace, ParseContext
 from site_builder.markdown.text.tokens import plain_text
 
 GIVEN = re.compile(r"\s*(?<!\\)\{([#.][^\s{}][^{}]*)\}\s*$")
-ATTRIBUTES = re.compile(r"(?P<ids>(?:#\S+\s*)*)(?P<deeper>\.deeper)?\s*")
+ATTRIBUTES = re.compile(r"(?:#(?P<id>\S+)\s*)?(?P<deeper>\.deeper)?\s*")
 LEGAL_ATTRIBUTES = "legal: '{#id}', '{.deeper}' or '{#id .deeper}'"
 DEEPER_LEVELS = (2, 3)
 """Of headings whose sections may be folded."""
@@ -172,10 +172,6 @@ class _Numbering:
         self._read_attributes(opening, line)
         name = self.context.take_id(self._heading_id(opening, text, line), line, "heading")
         opening.attrSet("id", name)
-        former = [
-            self.context.take_id(each, line, "heading") for each in opening.meta.get("former", ())
-        ]
-        opening.attrSet("former", " ".join(former))
         shown = self.context.shared.words("labels.section", title=text)
         target = Target("Section", self.chapter, name, "", text, line, name=shown)
         closing.meta["target"] = target
@@ -193,9 +189,7 @@ class _Numbering:
             expected = "'##' or '###' at the margin, in no other deeper section"
             self.context.problem(line, f"a deeper section {fault}; legal: {expected}")
         else:
-            ids = [name.removeprefix("#") for name in found["ids"].split()]
-            opening.meta |= {"deeper": bool(found["deeper"]), "id": "".join(ids[:1])}
-            opening.meta["former"] = ids[1:]
+            opening.meta |= {"deeper": bool(found["deeper"]), "id": found["id"] or ""}
             self.folded = level if found["deeper"] else self.folded
         opening.meta["folded"] = self.folded > 0
 

@@ -1,6 +1,6 @@
 """All pages of the site."""
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,8 +16,8 @@ from site_builder.files.engine import own_or_engine
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.pages.back_matter import back_matter_pages, card, titled
-from site_builder.pages.embeds import EMBED_FOLDER, embeds
-from site_builder.pages.environment import FOLDERS, render_template
+from site_builder.pages.embeds import embeds
+from site_builder.pages.environment import FOLDERS
 from site_builder.pages.licences import Licence
 from site_builder.pages.page import Site, render_page
 from site_builder.pages.policy import json_for_html
@@ -57,17 +57,6 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     return pages
 
 
-def redirections(book: Book, pages: Iterable[str]) -> Iterator[tuple[str, bytes]]:
-    """Pages at the former addresses of chapters and of their figures, which lead on with all that
-    an address ends in."""
-    for path in sorted(pages):
-        folders = path.split("/")
-        for former, chapter in book.settings.redirects.items():
-            if chapter in folders[: 2 + (folders[0] == EMBED_FOLDER.strip("/"))]:
-                at = folders.index(chapter)
-                place = "/".join([*folders[:at], former, *folders[at + 1 :]])
-                to = "../" * place.count("/") + path.removesuffix("index.html")
-                yield place, render_template("moved.html", book, to=to).encode()
 
 
 def _title_page(site: Site) -> dict[str, Any]:

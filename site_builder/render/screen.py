@@ -104,9 +104,7 @@ def equation(token: Token) -> str:
 
 
 def heading_open(token: Token) -> str:
-    """Before it the ids that the section had once, to which links of others still lead."""
-    former = "".join(f'<span id="{name}"></span>' for name in str(token.attrGet("former")).split())
-    return f'<div class="heading">{former}<{token.tag} id="{token.attrGet("id")}">'
+    return f'<div class="heading"><{token.tag} id="{token.attrGet("id")}">'
 
 
 def heading_close(words: Words, token: Token) -> str:

@@ -213,12 +213,6 @@ class Settings:
         without="the first chapter",
     )
     path: ReadingPath = key(table(ReadingPath), "a way through the book", ReadingPath())
-    redirects: Mapping[str, str] = key(
-        entries('a table of former addresses with chapters, before = "chapter"'),
-        "addresses that chapters had once, written by `rename`",
-        MappingProxyType({}),
-        without="none",
-    )
     boxes: Mapping[str, str] = key(
         entries('a table of names with titles, theorem = "Theorem"'),
         "directives of the book's own, `:::{theorem} Its name`: notes with these titles",

@@ -118,7 +118,6 @@ def _link_lines(settings: Settings, toml: Toml) -> dict[str, int]:
     tables = {
         ("starts",): settings.starts,
         ("path", "stops"): settings.path.stops,
-        ("redirects",): settings.redirects,
         ("boxes",): settings.boxes,
     }
     return {words: toml.line(*at, words) for at, links in tables.items() for words in links}
@@ -163,15 +162,6 @@ def check_addresses(outline: Outline, problems: Diagnostics) -> None:
             message = f"chapter {name!r} has the address {address}/, as {taken[address]} has"
             problems.add(OUTLINE, line, f"{message}; legal: one of its own")
         taken.setdefault(address, f"chapter {name!r}")
-    chapters = [chapter_id(name) for name, _, _ in outline.chapters]
-    for former, chapter in outline.settings.redirects.items():
-        line = outline.link_lines[former]
-        if chapter not in chapters:
-            problems.add(OUTLINE, line, unknown("chapter", chapter, chapters))
-        if former in taken or slug(former) != former:
-            now = "which is a chapter's now" if former in taken else "which is no id"
-            legal = "legal: a former chapter's id"
-            problems.add(OUTLINE, line, f"redirect from {former!r}, {now}; {legal}")
 
 
 LECTURE_PLAN = "content/lecture-plan.toml"
