@@ -44,8 +44,7 @@ def check_questions(book: Book, problems: Diagnostics) -> None:
     """Warn of each key that stands out."""
     for chapter in book.chapters:
         for quiz in single_choice(chapter):
-            faults = filter(None, map(fault_of_length, quiz.variants))
-            if message := next(faults, ""):
+            if message := fault_of_length(quiz):
                 problems.warn(quiz.path, quiz.line, message)
 
 

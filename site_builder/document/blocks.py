@@ -4,7 +4,7 @@ questions and predictions. The content of every other directive is a class in th
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any
 
 from simulations.engine.scene import Scene
 from site_builder.document.places import Heading, Passage, Target
@@ -125,15 +125,6 @@ class Question:
     """Data of its kind alone."""
     decides: object = None
     """What else than the options decides what is right."""
-    drawn: str = ""
-    """The numbers that it draws, if it does: ``f = 24; N = 5.6``."""
-    others: tuple[Self, ...] = ()
-    """The same question with the other numbers that it may draw."""
-
-    @property
-    def variants(self) -> tuple[Self, ...]:
-        """The question with all the numbers that it may draw."""
-        return (self, *self.others)
 
     @property
     def edition(self) -> str:

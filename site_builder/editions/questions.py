@@ -94,10 +94,6 @@ class Asked:
     chapter: Chapter
     site: str
     """Address of the book; nothing where it has none."""
-    key: str
-    """Unique in the book."""
-    drawn_from: str = ""
-    """The question that draws numbers, where this is it with some of them: ``Question 4.3``."""
 
     @property
     def page(self) -> str:
@@ -114,8 +110,8 @@ class Asked:
 
     @property
     def id(self) -> str:
-        """Its key; no digit begins it, as XML wants."""
-        return f"quiz-{self.key}"
+        """Unique in the book; no digit begins it, as XML wants."""
+        return f"quiz-{self.quiz.id}"
 
     @property
     def right_first(self) -> list[Option]:
@@ -126,18 +122,11 @@ class Asked:
 
 
 def asked_in(book: Book) -> Iterator[Asked]:
-    """Questions that can be asked elsewhere: without the book's address, none that needs a figure.
-    One that draws numbers is there with each combination."""
+    """Without the book's address, none that needs a figure."""
     for chapter in book.chapters:
         for name, quiz in numbered_quizzes(chapter.body):
-            if not book.address and kind_of(quiz).needs_page:
-                continue
-            if not quiz.others:
-                yield Asked(quiz, name, chapter, book.address, quiz.id)
-                continue
-            for place, each in enumerate(quiz.variants, start=1):
-                full, key = f"{name} ({each.drawn})", f"{quiz.id}_{place}"
-                yield Asked(each, full, chapter, book.address, key, drawn_from=name)
+            if book.address or not kind_of(quiz).needs_page:
+                yield Asked(quiz, name, chapter, book.address)
 
 
 def written(book: Book, asked: Asked, platform: str) -> str:
@@ -171,18 +160,13 @@ def make_moodle(book: Book) -> bytes:
 def _category(book: Book, asked: Asked) -> str:
     """A path, in which a slash of a name is written twice."""
     path = [book.title, f"{asked.chapter.name}. {asked.chapter.title}"]
-    if asked.drawn_from:
-        path.append(asked.drawn_from)
     return "/".join(["$course$", "top", *(name.replace("/", "//") for name in path)])
 
 
 def make_qti(book: Book) -> bytes:
     """The archive. The same book is the same bytes."""
     asked = list(asked_in(book))
-    chapters = [
-        (chapter, [(name, list(some)) for name, some in groupby(group, lambda a: a.drawn_from)])
-        for chapter, group in groupby(asked, lambda a: a.chapter)
-    ]
+    chapters = [(chapter, [*group]) for chapter, group in groupby(asked, lambda a: a.chapter)]
     files = {
         "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
         "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),

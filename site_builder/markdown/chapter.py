@@ -20,7 +20,6 @@ from site_builder.markdown.glossary import mark_terms
 from site_builder.markdown.inline import annotate, inline_passage
 from site_builder.markdown.numbering import number_targets
 from site_builder.markdown.parse_context import PAGE_IDS, ParseContext
-from site_builder.markdown.questions.draws import set_aside
 
 TEXTS = ("title", "summary")
 """Required."""
@@ -191,10 +190,9 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     """The whole chapter; mistakes are reported and reading goes on."""
     context = draft.context
     context.targets = targets
-    tokens = set_aside(draft.tokens)
-    annotate(tokens, context)
-    mark_terms(tokens, context)
-    body = read_page(tokens, context)
+    annotate(draft.tokens, context)
+    mark_terms(draft.tokens, context)
+    body = read_page(draft.tokens, context)
     before = tuple(
         Need(inline_passage(entry.text, entry.line, context), entry.chapter, entry.line)
         for entry in draft.matter.before

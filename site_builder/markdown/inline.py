@@ -11,10 +11,8 @@ from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.places import Link, Passage, chapter_id, passage
 from site_builder.formulae.temml import UnsupportedTexError, to_mathml
 from site_builder.markdown.calculation import BLOCK, compute_formula, define_names, or_problem
-from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.numbering import list_headings
 from site_builder.markdown.parse_context import ParseContext, Shared
-from site_builder.markdown.questions.draws import BODY, draw
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import code_html
@@ -43,15 +41,6 @@ def inline_passage(markdown: str, line: int, context: ParseContext) -> Passage:
         token.map = [line - 1, line]
     annotate(tokens, context)
     return passage(tokens)
-
-
-def _draw_numbers(token: Token, _line: int, context: ParseContext) -> None:
-    """Annotate the body of a question that draws numbers, with each combination."""
-    if BODY in token.meta:
-        call: DirectiveCall = token.meta["call"]
-        context.drawn[call.line] = draw(call, token.meta[BODY], context)
-        for drawn in context.drawn[call.line]:
-            annotate(drawn.body, drawn.context)
 
 
 def _set_formula(token: Token, line: int, context: ParseContext) -> None:
@@ -163,7 +152,6 @@ def _refuse_picture(_token: Token, line: int, context: ParseContext) -> None:
 
 
 HANDLERS: Mapping[str, Callable[[Token, int, ParseContext], None]] = {
-    "directive_open": _draw_numbers,
     "math_inline": _set_formula,
     "math_block": _set_formula,
     "math_block_label": _set_formula,

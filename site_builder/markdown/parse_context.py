@@ -1,13 +1,11 @@
 """What one Markdown file is read with, and what is collected while it is read."""
 
-from collections.abc import Callable, Mapping, Sequence
-from copy import copy
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from markdown_it import MarkdownIt
-from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
@@ -29,17 +27,6 @@ from site_builder.references.bibliography import NO_WORKS, Works
 from site_builder.references.terms import NO_TERMS, Glossary
 
 FIRST = Position(0, "0")
-COLLECTED = (
-    "ids",
-    "headings",
-    "links",
-    "introduced",
-    "citations",
-    "term_uses",
-    "index_marks",
-    "formulae",
-)
-"""Fields of a context that the words of a page add to."""
 PAGE_IDS = ("main", "contents", "progress-title", "keys-title")
 """Element ids of the frame around every chapter."""
 
@@ -59,17 +46,6 @@ class FigurePlace:
         """Lines between ``line`` and the figure; 0 inside it."""
         first, last = self.lines
         return max(first - line, line - last, 0)
-
-
-@dataclass(frozen=True, slots=True)
-class Variant:
-    """The body of a question with one combination of the numbers that it draws."""
-
-    named: str
-    """``f = 24; N = 5.6``."""
-    body: Sequence[Token]
-    context: "ParseContext"
-    """In which the names have these numbers; what is wrong there is kept apart."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,9 +96,6 @@ class ParseContext:
     """All of the page, in order, found before its text is read, which may refer to them."""
     placed: dict[int, Target] = field(default_factory=dict)
     """Numbered directives of the page, by the line that opens them."""
-    drawn: dict[int, Sequence["Variant"]] = field(default_factory=dict)
-    """Bodies of questions that draw numbers, once with each combination, by the line that opens
-    the question."""
     introduced: set[str] = field(default_factory=set)
     """Chapters that the page has named with their titles."""
     citations: list[Citation] = field(default_factory=list)
@@ -137,15 +110,6 @@ class ParseContext:
 
     def __post_init__(self) -> None:
         self.readouts = Readouts(self.shared.load_scene)
-
-    def reading(self, values: Mapping[str, object], *, again: bool) -> "ParseContext":
-        """For a part of the page in which names have ``values``, with problems of its own. What
-        it collects is the page's, unless the part is read ``again``."""
-        own = {name: copy(getattr(self, name)) for name in COLLECTED} if again else {}
-        named = {**self.values, **values}
-        made = replace(self, values=named, problems=Diagnostics(), **own)
-        made.readouts = self.readouts
-        return made
 
     @property
     def content(self) -> Path:

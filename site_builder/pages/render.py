@@ -38,9 +38,8 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     add("landing", "index.html", **_title_page(site))
     pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
-    if quizzes := [quiz for chapter in book.chapters for quiz in chapter.quizzes]:
-        draws = any(quiz.others for quiz in quizzes)
-        add("class", "class/index.html", questions=class_data(book), draws=draws)
+    if any(chapter.quizzes for chapter in book.chapters):
+        add("class", "class/index.html", questions=class_data(book))
     for name, context in following.items():
         add(name, f"{name}/index.html", here=name, **context)
     for chapter, context in _chapter_pages(book):
@@ -134,16 +133,9 @@ def _bare(book: Book) -> Book:
 
 
 def _progress(book: Book) -> Markup:
-    """Questions and their editions by chapter, from which a reader's progress is counted; one that
-    draws numbers has several."""
-    return json_for_html(
-        {
-            chapter.id: {
-                quiz.id: [variant.edition for variant in quiz.variants] for quiz in chapter.quizzes
-            }
-            for chapter in book.chapters
-        }
-    )
+    """The editions of all questions by their ids, from which a reader's progress is counted."""
+    quizzes = (quiz for chapter in book.chapters for quiz in chapter.quizzes)
+    return json_for_html({quiz.id: quiz.edition for quiz in quizzes})
 
 
 def nest_headings(headings: tuple[Heading, ...]) -> list[tuple[Heading, list[Heading]]]:

@@ -1,5 +1,5 @@
-"""Questions in the page, in Moodle XML and in QTI: nothing is lost, platforms judge as the book
-does, and a question that draws its numbers is computed for each combination."""
+"""Questions in the page, in Moodle XML and in QTI: nothing is lost, and platforms judge as the
+book does."""
 
 import io
 import zipfile
@@ -18,7 +18,6 @@ from support.qti import QTI, session_after
 from site_builder.build import Options, load
 from site_builder.document.book import Book
 from site_builder.editions.questions import asked_in, left_out, make_moodle, make_qti
-from site_builder.render.words import plain_words
 
 SITE = "https://host/book/"
 MACROS = '[macros]\nhalf = "\\\\frac{1}{2}"\nthird = "\\\\frac{1}{3}"\n'
@@ -187,37 +186,3 @@ def test_other_importers_read_both_formats(
         file.write_text(package[f"items/quiz-{name}.xml"], encoding="utf-8")
         found.append(classify(qti_reader.parse_item(file)).target)
     assert found == ["multichoice", "multichoice", "shortanswer", "essay"]
-
-
-def test_prompt_answers_tolerance_and_replies_are_computed_for_each_combination(
-    book: Book,
-) -> None:
-    quiz = book.chapters[0].quizzes[-1]
-    drawn = ["f = 50; N = 2", "f = 50; N = 2.5", "f = 100; N = 2", "f = 100; N = 2.5"]
-    assert [variant.drawn for variant in quiz.variants] == drawn
-    last = quiz.variants[-1]
-    assert last.prompt_text == "How wide is the hole of 100 mm at N = 2.5"
-    assert [option.value for option in last.options] == [40, 250, None]
-    assert last.details.tolerance == pytest.approx(0.8)
-    assert plain_words(last.options[1].explanation) == "Not 250."
-    assert len({variant.edition for variant in quiz.variants}) == 4
-    formulae = [formula.tex for formula in book.chapters[0].formulae]
-    assert formulae[-2:] == ["N = 2", "50 / 2"], "of the first combination alone"
-
-
-def test_combinations_are_a_category_of_moodle_and_a_selection_of_qti(
-    book: Book, package: dict[str, str]
-) -> None:
-    root = ElementTree.fromstring(make_moodle(book))
-    categories = filter(
-        None, (each.findtext("category/text", "") for each in root.iter("question"))
-    )
-    other, drawn = categories
-    assert drawn == f"{other}/Question 0.6"
-    names = [each.findtext("name/text") for each in root.iter("question")]
-    assert "Question 0.6 (f = 100; N = 2.5)" in names
-    sections = ElementTree.fromstring(package["test.xml"]).iter(f"{QTI}assessmentSection")
-    (drawn_section,) = (each for each in sections if each.find(f"{QTI}selection") is not None)
-    (selection,) = drawn_section.iter(f"{QTI}selection")
-    assert selection.get("select") == "1"
-    assert len([*drawn_section.iter(f"{QTI}assessmentItemRef")]) == 4

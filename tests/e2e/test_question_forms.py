@@ -1,5 +1,5 @@
-"""Questions: every answer is judged and explained, by mouse and by keyboard; numbers are drawn;
-progress is kept, carried to another browser, and merged for a class."""
+"""Questions: every answer is judged and explained, by mouse and by keyboard; progress is
+kept, carried to another browser, and merged for a class."""
 
 import json
 from pathlib import Path
@@ -171,56 +171,6 @@ ORDERS = """[...document.querySelectorAll('form.quiz fieldset')]
   .filter((order) => order.length)"""
 
 
-def test_drawn_numbers_are_a_class_s_own_and_stay_with_their_answer_until_others_are_asked_for(
-    plain_reader: Reader, book: Any
-) -> None:
-    page = plain_reader.page
-    drawing = max(book["quizzes"], key=lambda quiz: len(quiz.get("variants", ())))
-    form, url = form_of(plain_reader, drawing), url_of(book, drawing)
-
-    def asked(seed: str | None = None) -> str:
-        if seed is not None:
-            plain_reader.open(f"{url}?seed={seed}", live=False)
-        return form.locator(".asked").inner_text()
-
-    def answer() -> None:
-        variant = drawing["variants"][int(form.get_attribute("data-variant") or 0)]
-        give(form, repr(right_value(variant)))
-        assert verdict(form) == "correct"
-
-    seen = [asked(seed) for seed in ("spring", "summer", "autumn")]
-    assert len({*seen}) > 1
-    plain_reader.clear_storage()
-    assert asked("spring") == seen[0], "in another browser"
-    plain_reader.open(live=False)
-    plain_reader.turn_to(url, live=False)
-    assert asked() == seen[0], "without the seed in the address"
-
-    plain_reader.reset()
-    plain_reader.open(url, live=False)
-    first = asked()
-    others = form.get_by_role("button", name="Other numbers")
-    assert others.is_hidden(), "before an answer"
-    answer()
-    page.reload()
-    assert (asked(), verdict(form)) == (first, "correct")
-    others.click()
-    second = asked()
-    expect(form.locator("input[name=answer]")).to_be_focused()
-    assert (second != first, verdict(form)) == (True, None)
-    page.reload()
-    assert (asked(), verdict(form)) == (second, None)
-    page.evaluate("document.dispatchEvent(new Event('answers-read'))")
-    assert (asked(), verdict(form)) == (first, "correct"), "as in a file"
-    others.click()
-    answer()
-    page.reload()
-    assert (asked(), verdict(form)) == (second, "correct")
-    assert asked("") == second, "without a class, the reader's own stay"
-    assert any(asked(f"class-{number}") != second for number in range(20))
-    assert verdict(form) is None, "numbers of a class are asked for whatever was answered before"
-
-
 def test_progress_lists_mistakes_is_reset_and_moves_as_a_file(
     plain_reader: Reader, book: Any, tmp_path: Path
 ) -> None:
@@ -309,27 +259,20 @@ def test_progress_files_of_a_class_become_a_table_without_uploads(
     """Answers to another edition of a question are left out."""
     page = plain_reader.page
     plain_reader.open("class/", live=False)
-    listed = json.loads(page.locator(".class-data").text_content() or "")
-    asked = [{**each, **each["variants"][0]} for each in listed]
+    asked = json.loads(page.locator(".class-data").text_content() or "")
     choice = next(each for each in asked if each["kind"] == "single")
     number = next(each for each in asked if each["kind"] == "number")
-    drawn = next(each for each in listed if len(each["variants"]) > 1)
     options = [option["correct"] for option in choice["options"]]
     right, trap = options.index(True), options.index(False)
     files = [tmp_path / f"=Student {who}.json" for who in range(11)]
     files.append(tmp_path / "of the twelfth.json")
     for who, file in enumerate(files):
         first = right if who < 4 else trap
-        editions = (
-            number["edition"] if who < 10 else "another",
-            drawn["variants"][-1]["edition"] if who < 5 else "another",
-        )
-        wrong = [{"edition": each, "answer": 0.125, "right": False} for each in editions]
+        edition = number["edition"] if who < 10 else "another"
         chosen = {"answer": [right], "right": True, "first": [first]}
         answers = {
             f"quiz:{choice['id']}": {"edition": choice["edition"], **chosen},
-            f"quiz:{number['id']}": wrong[0],
-            f"quiz:{drawn['id']}": {**wrong[1], "seed": "class"},
+            f"quiz:{number['id']}": {"edition": edition, "answer": 0.125, "right": False},
         }
         named = ', "who": "=Student 0"' if who == 11 else ""
         file.write_text(f"{HEAD} {json.dumps(answers)}{named}}}")
@@ -339,9 +282,9 @@ def test_progress_files_of_a_class_become_a_table_without_uploads(
         broken = tmp_path / "broken.json"
         broken.write_text("{")
         page.locator(".class-files").set_input_files([*files, broken])
-        expect(page.locator(".class-tables details")).to_have_count(3)
+        expect(page.locator(".class-tables details")).to_have_count(2)
         said = page.locator(".class-said").inner_text()
-        assert "12 files, 3 questions" in said
+        assert "12 files, 2 questions" in said
         assert "broken.json" in said
 
     with step("each question has its answers"):
@@ -352,14 +295,12 @@ def test_progress_files_of_a_class_become_a_table_without_uploads(
         assert "12 answered, 4 right at first, 12 right at last" in summary(choice)
         assert summary(choice).endswith(f"(8): {choice['options'][trap]['text']}")
         assert "10 answered, 0 right" in summary(number)
-        told = f"(5): {drawn['variants'][-1]['drawn']}: 0.125"
-        assert summary(drawn).endswith(told), "its numbers are told with the answer"
     with step("the table is saved as CSV"):
         with page.expect_download() as download:
             page.locator(".class-csv").click()
         rows = Path(download.value.path()).read_text("utf-8").splitlines()
         assert rows[0].startswith("\ufeffquestion,who,"), "known to be UTF-8"
-        assert len(rows) == 1 + 12 + 10 + 5
+        assert len(rows) == 1 + 12 + 10
         assert sum(row.startswith(f"{number['id']},'=Student ") for row in rows) == 10
         assert sum(row.startswith(f"{choice['id']},'=Student 0 (2),") for row in rows) == 1
         assert {*methods} <= {"GET"}

@@ -120,20 +120,14 @@ def assert_choices_are_judged(form: Locator, quiz: Any) -> None:
 
 
 def assert_all_numbers_are_judged(form: Locator, quiz: Any) -> None:
-    """A right one, known mistakes, and any other, of each variant of a question: each has its
-    own reply."""
-    variants = quiz.get("variants", [quiz])
-    for number in range(len(variants)):
-        if number:
-            form.evaluate("form => form.querySelector('[data-draw]').click()")
-        options = variants[int(form.get_attribute("data-variant") or 0)]["options"]
-        options = sorted(options, key=lambda option: bool(option["correct"]))
-        given = [repr(option.get("value", 12345.6789)) for option in options]
-        answers = form.evaluate(TYPE_EACH, given)
-        verdicts = ["correct" if option["correct"] else "wrong" for option in options]
-        assert [verdict for verdict, _ in answers] == verdicts, quiz["id"]
-        replies = {reply for _, reply in answers}
-        assert len(replies) == len(answers), f"{quiz['id']}: one reply twice"
+    """A right one, known mistakes, and any other: each has its own reply."""
+    options = sorted(quiz["options"], key=lambda option: bool(option["correct"]))
+    given = [repr(option.get("value", 12345.6789)) for option in options]
+    answers = form.evaluate(TYPE_EACH, given)
+    verdicts = ["correct" if option["correct"] else "wrong" for option in options]
+    assert [verdict for verdict, _ in answers] == verdicts, quiz["id"]
+    replies = {reply for _, reply in answers}
+    assert len(replies) == len(answers), f"{quiz['id']}: one reply twice"
 
 
 def right_guess(item: Any) -> str | None:

@@ -23,7 +23,6 @@ from site_builder.markdown.directive import (
     OptionValue,
 )
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.draws import DRAW, report_first
 from site_builder.markdown.questions.kinds import (
     KINDS,
     kind_named,
@@ -43,27 +42,12 @@ def question_directive[Q: Question](
     doc: str,
     kind_doc: str,
     numbered: Numbered,
-    draws: bool = False,
 ) -> Directive[Any]:
-    """A directive that asks a question of one of the `KINDS`; it becomes a ``made``. ``draws``:
-    it may draw numbers."""
+    """A directive that asks a question of one of the `KINDS`; it becomes a ``made``."""
 
     def read(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Q | None:
         _check_id(call, context)
         _check_options(call, context)
-        if call.line not in context.drawn:
-            return ask(call, body, context)
-        if kind_named(call.text("kind")).needs_page:
-            return None
-        drawn = context.drawn[call.line]
-        variants = [ask(call, each.body, each.context, each.named) for each in drawn]
-        if report_first(drawn, context):
-            return None
-        return _joined(call, [each for each in variants if each], context)
-
-    def ask(
-        call: DirectiveCall, body: Sequence[Token], context: ParseContext, drawn: str = ""
-    ) -> Q | None:
         plain_tokens(call, body, context)
         asked = kind_named(call.text("kind")).read(call, body, context)
         if asked is None:
@@ -79,7 +63,6 @@ def question_directive[Q: Question](
             line=call.line,
             details=asked.details,
             decides=asked.decides or (0.0 if made is Quiz else None),
-            drawn=drawn,
         )
 
     kind = OptionLine("kind", doc=kind_doc, expected=names_of_kinds(name))
@@ -87,28 +70,13 @@ def question_directive[Q: Question](
         name=name,
         doc=doc,
         argument=Argument("id", lacks="has no id"),
-        options=(kind, *options_of_kinds(name), *([DRAW] if draws else [])),
+        options=(kind, *options_of_kinds(name)),
         body=Body("the question, and its answers as a list", lambda _call, body, _context: body),
         read=read,
         template=name,
         numbered=numbered,
         plain=lambda question: Plain((question.prompt,), "question"),
     )
-
-
-def _joined[Q: Question](
-    call: DirectiveCall, variants: Sequence[Q], context: ParseContext
-) -> Q | None:
-    """The first variant of a question, with the others; None where drawing leaves nothing."""
-    editions: dict[str, Q] = {}
-    for variant in variants:
-        other = editions.setdefault(variant.edition, variant)
-        if other is not variant:
-            what = f"{call.name} {call.argument!r} is the same with {other.drawn}"
-            message = f"{what} and with {variant.drawn}; legal: numbers that it uses"
-            context.problem(call.line_of(DRAW.name), message)
-            return None
-    return replace(variants[0], others=tuple(variants[1:])) if variants else None
 
 
 def prediction_id(call: DirectiveCall) -> str:
@@ -125,11 +93,6 @@ def _check_id(call: DirectiveCall, context: ParseContext) -> None:
 def _check_options(call: DirectiveCall, context: ParseContext) -> None:
     """Report options that mean nothing to this kind of question."""
     own = call.text("kind")
-    if DRAW.name in call.options and kind_named(own).needs_page:
-        kinds = [name for name in names_of_kinds(call.name) if not kind_named(name).needs_page]
-        expected = f"with ':kind:' {', '.join(kinds)}"
-        message = f"option {DRAW.name!r} of a {own!r} {call.name}; legal: {expected}"
-        context.problem(call.line_of(DRAW.name), message)
     for name, option in call.options.items():
         kinds = [
             each
@@ -173,7 +136,6 @@ QUIZ = question_directive(
     doc="a question with explained answers",
     kind_doc="how it is answered",
     numbered=Numbered("Question", lambda call: f"quiz-{call.argument}"),
-    draws=True,
 )
 
 

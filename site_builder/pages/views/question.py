@@ -54,20 +54,17 @@ def _simulation(scene: Scene[Any]) -> dict[str, object]:
 
 
 def _entry(question: Quiz | Prediction, chapter: Chapter) -> dict[str, object]:
-    entry = {"id": question.id, "chapter": chapter.id, "kind": question.kind, **_asked(question)}
-    if not question.others:
-        return entry
-    variants = [{"drawn": each.drawn, **_asked(each)} for each in question.variants]
-    return {**entry, "variants": variants}
-
-
-def _asked(question: Quiz | Prediction) -> dict[str, object]:
     def option(option: Option) -> dict[str, object]:
         return {"text": option.text, "correct": option.correct}
 
-    options = _options(question, option)
-    catalogued = kind_of(question).catalogue(question)
-    return {"prompt": question.prompt_text, "options": options, **catalogued}
+    return {
+        "id": question.id,
+        "chapter": chapter.id,
+        "kind": question.kind,
+        "prompt": question.prompt_text,
+        "options": _options(question, option),
+        **kind_of(question).catalogue(question),
+    }
 
 
 def _options(
@@ -88,29 +85,22 @@ def kind_view(context: Context, question: Question) -> object:
 
 
 @pass_context
-def question_data(
-    context: Context, question: Question, fieldset: Callable[[Question], Markup] | None = None
-) -> Markup:
-    """JSON that is safe inside a script element. ``fieldset`` makes the HTML of what is asked, with
-    each of the numbers that a question may draw."""
-    said = _said(context, question)
-    if fieldset and question.others:
-        said["variants"] = [
-            {**_said(context, each), "fieldset_html": fieldset(each)} for each in question.variants
-        ]
-    return json_for_html(said)
+def question_data(context: Context, question: Question) -> Markup:
+    """JSON that is safe inside a script element."""
 
-
-def _said(context: Context, question: Question) -> dict[str, object]:
     def option(option: Option) -> dict[str, object]:
         explanation = context["renderer"](option.explanation)
         return {"correct": option.correct, "explanation_html": explanation}
 
+    return json_for_html(_data(question, option))
+
+
+def _data(question: Question, entry: Callable[[Option], dict[str, object]]) -> dict[str, object]:
     return {
         "id": question.id,
         "kind": question.kind,
         "edition": question.edition,
-        "options": _options(question, option),
+        "options": _options(question, entry),
         **kind_of(question).page_data(question),
     }
 
@@ -131,23 +121,12 @@ def class_data(book: Book) -> Markup:
         text = otherwise or plain_words(option.words) or option.text
         return {"correct": option.correct, "explanation_html": "", "text": text}
 
-    def variant(quiz: Quiz) -> dict[str, object]:
-        return {
-            "id": quiz.id,
-            "drawn": quiz.drawn,
-            "kind": quiz.kind,
-            "edition": quiz.edition,
-            "options": _options(quiz, option),
-            **kind_of(quiz).page_data(quiz),
-        }
-
     return json_for_html(
         [
             {
-                "id": quiz.id,
                 "name": name,
                 "place": f"{chapter.url}#quiz-{quiz.id}",
-                "variants": [*map(variant, quiz.variants)],
+                **_data(quiz, option),
             }
             for chapter in book.chapters
             for name, quiz in numbered_quizzes(chapter.body)

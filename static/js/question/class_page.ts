@@ -9,18 +9,10 @@ import { numeral, words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import type { Given, Question } from "./question.ts";
 
-interface Asked {
-  id: string;
+interface Asked extends Question {
   name: string;
   /** Its address, from the site's root. */
   place: string;
-  /** With each of the numbers that it draws; the question alone, where it draws none. */
-  variants: Variant[];
-}
-
-interface Variant extends Question {
-  /** `f = 24; N = 5.6`. */
-  drawn: string;
   options: (Question["options"][number] & { text: string })[];
   tolerance?: number;
 }
@@ -52,10 +44,9 @@ function resultsOf(questions: Asked[], files: Map<string, Answers>): Result[] {
   const results = questions.map((question) => {
     const tried = [...files].flatMap(([who, answers]) => {
       const entry = answers[`quiz:${question.id}`];
-      const asked = question.variants.find(({ edition }) => edition === entry?.edition);
-      if (!asked) return [];
-      const last = judged(asked, entry.answer);
-      const first = judged(asked, entry.first) ?? last;
+      if (entry?.edition !== question.edition) return [];
+      const last = judged(question, entry.answer);
+      const first = judged(question, entry.first) ?? last;
       return first && last ? [{ who, first, last }] : [];
     });
     return { question, tried, trap: trapOf(tried) };
@@ -63,20 +54,18 @@ function resultsOf(questions: Asked[], files: Map<string, Answers>): Result[] {
   return results.filter(({ tried }) => tried.length > 0);
 }
 
-function judged(question: Variant, given: Given | undefined): Try | null {
+function judged(question: Asked, given: Given | undefined): Try | null {
   const kind = KINDS[question.kind];
   if (given === undefined || !kind.fits(question, given)) return null;
   return { text: textOf(question, given), right: kind.judge(question, given).right };
 }
 
-function textOf({ options, tolerance, drawn }: Variant, given: Given) {
+function textOf({ options, tolerance }: Asked, given: Given) {
   if (typeof given === "object" && "code" in given) return given.code;
   const places = [given].flat();
-  const text =
-    tolerance === undefined
-      ? places.map((at) => options[at].text).join(" · ")
-      : places.map((value) => numeral(String(value))).join(" ");
-  return drawn ? `${drawn}: ${text}` : text;
+  return tolerance === undefined
+    ? places.map((at) => options[at].text).join(" · ")
+    : places.map((value) => numeral(String(value))).join(" ");
 }
 
 function trapOf(tried: Tried[]): [string, number] | null {

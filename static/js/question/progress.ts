@@ -39,11 +39,11 @@ function tallyOfPage(): Tally {
 }
 
 function tallyOfBook(section: HTMLElement): Tally {
-  const chapters: Record<string, Record<string, string[]>> = data(section, "script.progress-data");
-  const questions = Object.values(chapters).flatMap(Object.entries);
-  const answers = questions.flatMap(([id, editions]) => {
+  const editions: Record<string, string> = data(section, "script.progress-data");
+  const questions = Object.entries(editions);
+  const answers = questions.flatMap(([id, edition]) => {
     const answer = recall(`quiz:${id}`);
-    return editions.includes(answer?.edition) ? [answer] : [];
+    return answer?.edition === edition ? [answer] : [];
   });
   const right = answers.filter((answer) => answer.right === true).length;
   return { right, wrong: answers.length - right, count: questions.length };

@@ -55,10 +55,8 @@ export function forms() {
   return all(document, "main form:is([data-quiz], [data-predict])", HTMLFormElement);
 }
 
-/** With the numbers that the page shows, where it draws any. */
 export function questionOf(form: HTMLFormElement): Question {
-  const question = data(form, "script:is(.quiz-data, .predict-data)");
-  return question.variants?.[Number(form.dataset.variant ?? 0)] ?? question;
+  return data(form, "script:is(.quiz-data, .predict-data)");
 }
 
 export function isPrediction(form: HTMLFormElement) {

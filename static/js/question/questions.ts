@@ -9,7 +9,6 @@ import { onOtherTab, recall, remember } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import { installDrafts, restoreDrafts } from "./drafts.ts";
-import { draw, drawOthers, forgetOthers, keptWith, takeSeed } from "./draws.ts";
 import { showProgress } from "./progress.ts";
 import {
   forms,
@@ -43,14 +42,9 @@ export function install() {
       settle(form, null);
     }
     leadToHidden(event);
-    const others = within(event, "[data-draw]", HTMLButtonElement)?.form;
-    if (others) askWithOthers(others);
   });
   document.addEventListener("answers-forgotten", forget);
-  document.addEventListener("answers-read", () => {
-    forgetOthers();
-    restoreAll();
-  });
+  document.addEventListener("answers-read", restoreAll);
   onOtherTab((key) => {
     for (const form of forms()) if (key === null || key === keyOf(form)) restore(form);
     showProgress();
@@ -66,7 +60,6 @@ export function install() {
 
 /** Put each question of the page in the reader's order, with the answer of an earlier visit. */
 export function arrive() {
-  takeSeed();
   for (const form of forms()) put(form);
   restoreDrafts();
   showProgress();
@@ -78,7 +71,6 @@ function keyOf(form: HTMLFormElement) {
 }
 
 function put(form: HTMLFormElement) {
-  draw(form);
   const question = questionOf(form);
   const kind = KINDS[question.kind];
   kind.prepare?.(form, question);
@@ -120,13 +112,6 @@ function restoreAll() {
   showProgress();
 }
 
-function askWithOthers(form: HTMLFormElement) {
-  drawOthers(form);
-  restore(form);
-  showProgress();
-  one(form, "fieldset :is(input:not([type=hidden]), button)", HTMLElement).focus();
-}
-
 /** Forget the answers of this page. */
 function forget() {
   for (const form of forms()) remember(keyOf(form), null);
@@ -155,7 +140,7 @@ function settle(form: HTMLFormElement, given: Settled) {
   const right = form.dataset.answered === "correct";
   const entry = isPrediction(form)
     ? { edition, guess: given }
-    : { edition, answer: given, right, first: firstOf(form, question) ?? given, ...keptWith(form) };
+    : { edition, answer: given, right, first: firstOf(form, question) ?? given };
   remember(keyOf(form), entry);
   showProgress();
 }

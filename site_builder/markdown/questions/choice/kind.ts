@@ -3,7 +3,7 @@
 import { all, one } from "../../../../static/js/page/dom.ts";
 import { words } from "../../../../static/js/page/words.ts";
 import { isPrediction, type Kind, type Question } from "../../../../static/js/question/question.ts";
-import { shuffled } from "../../../../static/js/question/draws.ts";
+import { shuffled } from "../../../../static/js/question/shuffle.ts";
 
 /** Places of options; a guess of earlier releases is one number. */
 type Chosen = number[] | number;

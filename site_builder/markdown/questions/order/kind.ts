@@ -4,7 +4,7 @@ import { all, maybe, one, within } from "../../../../static/js/page/dom.ts";
 import { setText } from "../../../../static/js/page/text.ts";
 import { words } from "../../../../static/js/page/words.ts";
 import type { Kind, Question } from "../../../../static/js/question/question.ts";
-import { shuffled } from "../../../../static/js/question/draws.ts";
+import { shuffled } from "../../../../static/js/question/shuffle.ts";
 
 export const kind: Kind<Question, number[]> = {
   install() {

@@ -1,0 +1,35 @@
+/** Orders that are the reader's own: by chance once, then the same on every visit. */
+
+import { recall, remember } from "../page/storage.ts";
+
+/** What this reader's orders come from; where nothing is remembered, as long as the page lasts. */
+let seed = "";
+
+/** The numbers from 0 to `count` − 1 in the reader's order of the things called `name`. */
+export function shuffled(name: string, count: number) {
+  const own = ownSeed();
+  const hashes = Array.from({ length: count }, (_, index) => hash(`${own}${name} ${index}`));
+  return [...hashes.keys()].sort((one, other) => hashes[one] - hashes[other]);
+}
+
+/** What the orders of this reader follow from. */
+function ownSeed() {
+  if (!seed) {
+    const stored = recall("order");
+    seed =
+      typeof stored === "string" ? stored : crypto.getRandomValues(new Uint32Array(2)).join("-");
+    remember("order", seed);
+  }
+  return seed;
+}
+
+/**
+ * FNV-1a, which spreads short texts over 32 bits, with the last step of MurmurHash3, which mixes them.
+ */
+function hash(text: string) {
+  let value = 0x811c9dc5;
+  for (const letter of text) value = Math.imul(value ^ letter.charCodeAt(0), 0x01000193);
+  value = Math.imul(value ^ (value >>> 16), 0x85ebca6b);
+  value = Math.imul(value ^ (value >>> 13), 0xc2b2ae35);
+  return (value ^ (value >>> 16)) >>> 0;
+}
