@@ -23,7 +23,6 @@ from site_builder.assets.browser_parts import (
 from site_builder.assets.pages import (
     NOW,
     Files,
-    author_files,
     gather_assets,
     in_page,
     prerendered_files,
@@ -199,7 +198,6 @@ def render(
         **(scene_files(book, parts.editor) if options.runtime else {}),
         **{f"{LIBRARY}/{name}": path for name, path in parts.search.scripts.items()},
         **{f"{FOLDER}{name}": path for name, path in parts.decoder.files.items()},
-        **author_files(book, root),
         **prerendered_files(initial_frames),
         **make_icons(root),
     }

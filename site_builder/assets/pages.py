@@ -15,7 +15,7 @@ from site_builder.files.engine import ENGINE, static_files
 from site_builder.files.folders import file_hash, folder_files, integrity
 from site_builder.files.text import Sources
 from site_builder.markdown.content_files import PICTURES, picture_size
-from site_builder.markdown.directives.media import Media
+from site_builder.markdown.directives.pictures import PictureFile
 from site_builder.markdown.questions.kind import HERE as QUESTION_FOLDER
 from site_builder.markdown.questions.kinds import KINDS as QUESTIONS
 from site_builder.markdown.questions.kinds import kind_of
@@ -140,10 +140,10 @@ def shown_widths(book: Book) -> dict[str, float]:
     """How wide the author's pictures are shown, in CSS pixels."""
     widths: dict[str, float] = {}
     for chapter in book.chapters:
-        for shown in contents(chapter.body, Media):
+        for shown in contents(chapter.body, PictureFile):
             number = float(shown.width.rstrip("%px") or 100)
             width = number if shown.width.endswith("px") else COLUMN_PX * number / 100
-            for name in filter(None, (shown.file, shown.dark, shown.poster)):
+            for name in filter(None, (shown.file, shown.dark)):
                 widths[name] = max(width, widths.get(name, 0))
     return widths
 
@@ -190,12 +190,6 @@ def prerendered_files(initial_frames: InitialFrames) -> Files:
     """The prerendered frames of all figures."""
     frames = [each.prerendered for each in initial_frames.values() if each.prerendered]
     return {f"prerendered/{each.file}": each.data for each in frames}
-
-
-def author_files(book: Book, root: Path) -> Files:
-    """The author's films, captions and downloads."""
-    names = {name for chapter in book.chapters for name in chapter.files}
-    return {f"content/{name}": root / "content" / name for name in sorted(names)}
 
 
 def in_page(assets: Assets, *, reload: bool) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import own_or_engine, static_files
 from site_builder.files.folders import data_of, folder_files
 from site_builder.files.text import CONTROL, Sources, Toml
-from site_builder.markdown.directives.media import DrawnIllustration
+from site_builder.markdown.directives.pictures import DrawnIllustration
 from site_builder.markdown.roles import ROLES
 from site_builder.settings.model import FILE_NAME, Settings
 

@@ -66,8 +66,6 @@ class Chapter:
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
     """Formulae of text and questions, in the order in which they were read."""
-    files: frozenset[str] = frozenset()
-    """Files below ``content/`` that it hands out, besides pictures."""
     before: tuple[Need, ...] = ()
     """What to know before reading it."""
     after: tuple[Passage, ...] = ()

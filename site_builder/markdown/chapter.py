@@ -211,7 +211,6 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         citations=tuple(context.citations),
         term_uses=tuple(context.term_uses),
         index_marks=tuple(context.index_marks),
-        files=frozenset(context.files),
         formulae=tuple(_formula(*found, draft) for found in context.formulae),
         before=before,
         after=after,

@@ -103,8 +103,6 @@ class ParseContext:
     index_marks: list[IndexMark] = field(default_factory=list)
     formulae: list[tuple[int, str, bool]] = field(default_factory=list)
     """Line and TeX of each, and whether it is displayed."""
-    files: set[str] = field(default_factory=set)
-    """Files below ``content/`` that the page hands out, besides pictures."""
     readouts: Readouts = field(init=False)
     """Where numbers that figures show come from."""
 

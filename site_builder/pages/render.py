@@ -56,8 +56,6 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     return pages
 
 
-
-
 def _title_page(site: Site) -> dict[str, Any]:
     book = site.book
     return {

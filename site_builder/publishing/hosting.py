@@ -20,9 +20,7 @@ from site_builder.pages.environment import render_template
 from site_builder.pages.page import page_address
 from site_builder.raw.decoder import FOLDER
 
-PACKED = frozenset(
-    (".png", ".jpg", ".jpeg", ".webp", ".woff2", ".mp4", ".webm", ".pdf", ".gz", ".br")
-)
+PACKED = frozenset((".png", ".jpg", ".jpeg", ".webp", ".woff2", ".gz", ".br"))
 """Kinds of files in which nothing is left to pack."""
 MOST_SHARE = 0.95
 """The largest size of a copy, as a share of the file's."""

@@ -17,7 +17,7 @@ from site_builder.document.book import Book, Chapter
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import own_or_engine
-from site_builder.markdown.directives.media import DrawnIllustration
+from site_builder.markdown.directives.pictures import DrawnIllustration
 from site_builder.output.fonts import FACES, Face, source_file
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.pages.environment import render_template

@@ -27,7 +27,6 @@ from site_builder.editions.epub import make_epub
 from site_builder.output.writer import content_bytes, write_site
 
 PICTURES = ("Fig #3.png", "50%.png", "a?b.PNG", "straße & co.JPG", "%41.jpeg")
-TABLE = "data #1, 100%.csv"
 
 
 def picture(name: str) -> bytes:
@@ -41,10 +40,7 @@ def named_book(make_book: MakeBook, root: Path) -> MakeBook:
         (root / "content").mkdir(exist_ok=True)
         (root / "content" / name).write_bytes(picture(name))
     shown = [f":::{{figure}} {name}\n:alt: A picture.\nA caption.\n:::\n" for name in PICTURES]
-    body = "\n".join([*shown, f":::{{download}} {TABLE}\nNumbers.\n:::\n"])
-    return lambda **files: make_book(
-        body, {"content/book.toml": OUTLINE, f"content/{TABLE}": "1\n", **files}
-    )
+    return lambda **files: make_book("\n".join(shown), {"content/book.toml": OUTLINE, **files})
 
 
 def test_links_lead_to_files_with_unusual_names(make_book: MakeBook, tmp_path: Path) -> None:
@@ -54,7 +50,7 @@ def test_links_lead_to_files_with_unusual_names(make_book: MakeBook, tmp_path: P
     found = [
         unquote(each) for each in re.findall(r'(?:src|href)="\.\./([^"#?]*/content/[^"]*)"', page)
     ]
-    assert {each.rpartition("/")[2] for each in found} == {*PICTURES, TABLE}
+    assert {each.rpartition("/")[2] for each in found} == {*PICTURES}
     assert {*found} <= {*files}
     assert not re.findall(r'(?:src|href)="[^"]*/content/[^"]*[ #?][^"]*"', page)
     with zipfile.ZipFile(io.BytesIO(make_epub(compose(options), tmp_path))) as book:
@@ -80,7 +76,6 @@ def test_side_files_of_editors_are_ignored(make_book: MakeBook) -> None:
 LONG = "a" * 300
 TOO_LONG = [
     (f":::{{figure}} {LONG}.png\n:alt: A.\nB.\n:::\n", "unknown picture file"),
-    (f":::{{download}} {LONG}.csv\nA.\n:::\n", "unknown file"),
     (f"::::{{simulation}} demo\n:label: {LONG}\nA.\n::::\n", "legal: small letters"),
 ]
 

@@ -25,7 +25,6 @@ from support.little_book import (
 from site_builder.build import check_site, render_site
 from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.markdown.content_files import picture_size
-from site_builder.markdown.directives.media import size_words
 from site_builder.output.writer import Content, content_bytes
 from site_builder.pages.licences import gather_licences
 from site_builder.render.words import reading_minutes
@@ -158,22 +157,6 @@ def test_policy_allows_hashed_scripts_and_html_of_a_trusted_author(
             assert {*allowed[name]} - OWN == (more if ANY in more else more | hashes)
         assert allowed["default-src"] == ["'self'"]
         assert allowed["object-src"] == allowed["frame-src"] == ["'none'"]
-
-
-def test_a_download_is_published_as_it_is_and_other_files_are_not(make_book: MakeBook) -> None:
-    files: dict[str, str | None] = {f"content/data/{name}.csv": "x,y\n1,2\n" for name in "ab"}
-    site = rendered(make_book(":::{download} data/a.csv\nAll.\n:::\n", files))
-    (published,) = (path for path in site if path.endswith(".csv"))
-    assert published.endswith("a.csv")
-    assert site[published] == b"x,y\n1,2\n"
-
-
-@pytest.mark.parametrize(
-    ("size", "words"),
-    [(0, "0 bytes"), (999, "999 bytes"), (1000, "1.0 kB"), (9960, "10 kB"), (3.5e7, "35 MB")],
-)
-def test_sizes_are_given_in_two_digits(size: float, words: str) -> None:
-    assert size_words(int(size)) == words
 
 
 @pytest.mark.parametrize(

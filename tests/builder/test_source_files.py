@@ -22,6 +22,7 @@ CHAPTER = "content/00-first.md"
 BOOK = "content/book.toml"
 DATA = "content/measurements.json"
 FRONT = little_book.FRONT.encode()
+FIGURE = FRONT + b":::{figure} images/a.png\n:alt: A picture.\nA picture.\n:::\n"
 
 
 def link_to(target: str) -> Callable[[Path], object]:
@@ -52,12 +53,10 @@ def link_to(target: str) -> Callable[[Path], object]:
         ({DATA: b"[" * 100_000}, f"{DATA}:1: malformed JSON: maximum"),
         ({DATA: b"9" * 5000}, f"{DATA}:1: malformed JSON: Exceeds"),
         ({CHAPTER: Path.mkdir}, f"{BOOK}:4: unknown chapter '00-first'; legal: 01-second"),
-        ({CHAPTER: FRONT + b":::{download} data/x.csv\n:::\n",
-          "content/data/x.csv": link_to("x.csv")},
-         f"{CHAPTER}:5: unknown file 'data/x.csv'; legal:"),
-        ({CHAPTER: FRONT + b":::{download} data/a.csv\nA list.\n:::\n",
-          "content/data/a.csv": link_to("/etc/hostname")},
-         f"{CHAPTER}:5: file 'data/a.csv' leads out of content/; legal:"),
+        ({CHAPTER: FIGURE, "content/images/a.png": link_to("a.png")},
+         f"{CHAPTER}:5: unknown picture file 'images/a.png'; "),
+        ({CHAPTER: FIGURE, "content/images/a.png": link_to("/etc/hostname")},
+         f"{CHAPTER}:5: picture file 'images/a.png' leads out of content/; legal:"),
     ],
 )  # fmt: skip
 def test_unreadable_file_is_reported(make_book: MakeBook, files: Files, report: str) -> None:

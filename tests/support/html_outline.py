@@ -102,16 +102,16 @@ def read_html(markup: bytes) -> Page:
 
 INLINE = {
     "a", "abbr", "br", "button", "cite", "code", "em", "i", "img", "input", "label", "math",
-    "option", "output", "q", "select", "small", "source", "span", "strong", "sub", "summary", "sup",
-    "textarea", "time", "track",
+    "option", "output", "q", "select", "small", "span", "strong", "sub", "summary", "sup",
+    "textarea", "time",
 }  # fmt: skip
 FURNITURE = ("header", "script", "style", "template", "button", "textarea", "svg")
 """Elements that the builder adds to the author's text; `outline` leaves them out."""
 ATTRIBUTES = (
     "id", "name", "type", "value", "min", "max", "step", "checked", "selected", "alt", "width",
-    "height", "colspan", "lang", "srclang", "hreflang", "start", "download", "controls", "poster",
-    "open", "data-quiz", "data-predict", "data-kind", "data-answers", "data-simulation",
-    "data-figure", "data-values", "data-state", "data-frames", "data-handle",
+    "height", "colspan", "lang", "hreflang", "start", "open", "data-quiz", "data-predict",
+    "data-kind", "data-answers", "data-simulation", "data-figure", "data-values", "data-state",
+    "data-frames", "data-handle",
 )  # fmt: skip
 ROLE = re.compile(r"\brole-(\S+)")
 

@@ -31,7 +31,7 @@ from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.editions.compose import compose
 from site_builder.editions.notebooks.notebook import make_notebooks
 from site_builder.figures.initial_frames import describing
-from site_builder.markdown.directives import measured, media
+from site_builder.markdown.directives import measured, pictures
 from site_builder.output.scripts import Bundle
 from site_builder.output.writer import Content, content_bytes
 from site_builder.search.index import SHARED, make_records
@@ -83,7 +83,7 @@ def plain_scripts() -> Iterator[pytest.MonkeyPatch]:
 
     with pytest.MonkeyPatch.context() as monkeypatch:
         monkeypatch.setattr(site_assets, "bundle_scripts", as_written)
-        monkeypatch.setitem(media.MODULES, "similar-triangles", __name__)
+        monkeypatch.setitem(pictures.MODULES, "similar-triangles", __name__)
         monkeypatch.setitem(measured.FILES, "halves", FIXTURES / "hard_cases" / "halves.toml")
         yield monkeypatch
 

@@ -38,9 +38,8 @@ from site_builder.editions.notebooks.cells import (
 )
 from site_builder.editions.notebooks.tables import extremes, ladder, ladder_table, stage_costs
 from site_builder.figures.frames import pixels
-from site_builder.files.folders import address_of
 from site_builder.markdown.directives.boxes import Box
-from site_builder.markdown.directives.media import Download, DrawnIllustration, Media
+from site_builder.markdown.directives.pictures import DrawnIllustration, PictureFile
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.pages.environment import render_template
 from site_builder.render.markdown import code, escaped, fenced, link, quoted
@@ -86,25 +85,8 @@ def illustration(drawn: DrawnIllustration, block: Block, page: ChapterPage) -> I
     yield _pictured(block, page, drawn.description, {name: picture}, words)
 
 
-def figure(shown: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
+def figure(shown: PictureFile, block: Block, page: ChapterPage) -> Iterator[Part]:
     yield _pictured(block, page, shown.alt, _file(shown.file, page), shown.caption)
-
-
-def video(film: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
-    """Its still, and a link to the film, which lies beside the notebook."""
-    yield _pictured(block, page, film.alt, _file(film.poster, page), film.caption)
-    yield Text(link(escaped(film.alt), f"content/{address_of(film.file)}"))
-
-
-def audio(recording: Media, block: Block, page: ChapterPage) -> Iterator[Part]:
-    """The recording lies beside the notebook; its transcript is folded."""
-    licence = f" ({escaped(recording.licence)})" if recording.licence else ""
-    parts = (
-        f'<audio controls src="content/{address_of(recording.file)}"></audio>',
-        f"{named(block.target)}{escaped(recording.alt)}{licence}",
-        folded(page.words("figure.transcript"), page.markdown(recording.caption)),
-    )
-    yield Text("\n\n".join(parts))
 
 
 def _pictured(
@@ -264,12 +246,6 @@ def table(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:
     yield Text(f"{caption}\n\n{page.markdown(content.table)}")
 
 
-def download(content: Download, _block: Block, page: ChapterPage) -> Iterator[Part]:
-    """The file lies beside the notebook."""
-    given = f"{link(escaped(content.name), f'content/{address_of(content.file)}')} ({content.size})"
-    yield Text(f"{given}\n\n{page.markdown(content.words)}".strip())
-
-
 def data_sheet(content: Prose, _block: Block, page: ChapterPage) -> Iterator[Part]:
     """Its words alone: a notebook measures no photographs."""
     yield Text(page.markdown(content.words))
@@ -278,11 +254,9 @@ def data_sheet(content: Prose, _block: Block, page: ChapterPage) -> Iterator[Par
 type Maker = Callable[[Any, Block, ChapterPage], Iterable[Part]]
 PARTS: Mapping[str, Maker] = {
     "answer": answer,
-    "audio": audio,
     "callout": callout,
     "data-sheet": data_sheet,
     "deeper": deeper,
-    "download": download,
     "example": example,
     "extremes": extremes,
     "figure": figure,
@@ -296,6 +270,5 @@ PARTS: Mapping[str, Maker] = {
     "source": source,
     "stage-costs": stage_costs,
     "table": table,
-    "video": video,
 }
 """Blocks by the name of the template, of which each directive has one."""

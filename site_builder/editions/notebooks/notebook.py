@@ -94,12 +94,10 @@ def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
         ChapterPage(checked, chapter, content, style, fonts) for chapter in checked.book.chapters
     ]
     modules = {archive_path(*each): each[1] for each in book_modules(root / "simulations").items()}
-    handed_out = {name for chapter in checked.book.chapters for name in chapter.files}
     return {
         **{f"{page.chapter.id}.ipynb": make_notebook(page) for page in pages},
         **modules,
         **{path: file for each in modules.items() for path, file in data_beside(*each).items()},
-        **{f"content/{name}": content / name for name in sorted(handed_out)},
         STYLE: style.encode(),
         REQUIREMENTS: (NEEDED + asked_for).encode(),
     }

@@ -7,15 +7,14 @@ from typing import Any
 
 from site_builder.markdown.directive import Directive
 from site_builder.markdown.directives.boxes import CALLOUTS, EXAMPLE, TABLE
-from site_builder.markdown.directives.measured import EXTREMES, LADDER, LADDER_TABLE, STAGE_COSTS
-from site_builder.markdown.directives.media import (
-    AUDIO,
+from site_builder.markdown.directives.measured import (
     DATA_SHEET,
-    DOWNLOAD,
-    FIGURE,
-    ILLUSTRATION,
-    VIDEO,
+    EXTREMES,
+    LADDER,
+    LADDER_TABLE,
+    STAGE_COSTS,
 )
+from site_builder.markdown.directives.pictures import FIGURE, ILLUSTRATION
 from site_builder.markdown.directives.questions import ANSWER, EXERCISE, PREDICT, QUIZ
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.directives.source import SOURCE
@@ -31,9 +30,6 @@ DIRECTIVES: tuple[Directive[Any], ...] = (
     SOURCE,
     ILLUSTRATION,
     FIGURE,
-    VIDEO,
-    AUDIO,
-    DOWNLOAD,
     TABLE,
     EXTREMES,
     LADDER,

@@ -1,5 +1,6 @@
-"""``{ladder}``, ``{ladder-table}`` and ``{stage-costs}``: charts and tables of measurements; and
-``{extremes}``: a table of a model's hard cases, computed while the book is built."""
+"""``{ladder}``, ``{ladder-table}`` and ``{stage-costs}``: charts and tables of measurements;
+``{extremes}``: a table of a model's hard cases, computed while the book is built; and
+``{data-sheet}``: what the instruments of the page measured."""
 
 from dataclasses import dataclass
 from functools import partial
@@ -17,6 +18,7 @@ from site_builder.benchmarks.measurements import MeasuredLadder
 from site_builder.benchmarks.readouts import StageCosts, read_stage_costs
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
+from site_builder.document.blocks import Prose
 from site_builder.document.places import Passage, Plain
 from site_builder.markdown.blocks import CAPTION, NO_BODY
 from site_builder.markdown.directive import (
@@ -208,4 +210,13 @@ EXTREMES = Directive(
     read=read_hard_cases,
     template="extremes",
     numbered=Numbered("Table", lambda call: f"extremes-{call.argument}"),
+)
+DATA_SHEET = Directive(
+    name="data-sheet",
+    doc="the results of the instruments of a page",
+    argument=None,
+    body=CAPTION,
+    read=lambda _call, words, _context: Prose(words),
+    template="data-sheet",
+    plain=lambda sheet: Plain((sheet.words,)),
 )
