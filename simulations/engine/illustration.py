@@ -1,4 +1,8 @@
-"""An illustration: static drawings with a description, shown at once or in steps."""
+"""An illustration: static drawings with a description, shown at once or in steps.
+
+`drafting.picture` puts pixels into a drawing. Marks that appear in steps go through `in_steps`, and
+a numbered list at the end of the caption has a sentence for each step.
+"""
 
 import re
 from collections.abc import Iterable

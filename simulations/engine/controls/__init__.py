@@ -5,7 +5,10 @@
     NAME/kind.ts    how the page reads, writes and parses its value
     NAME/kind.css   how it looks
 
-To add one: its folder, its import, and its class in `Control`.
+To add one: its folder, its import, and its class in `Control`; its function among the imports of
+`engine/settings.py`; its widget in `notebook/controls.py`; its gesture in
+`tests/e2e/test_every_figure.py`. Folder, ``kind`` and function share one name. What needs a range
+(handles, play, prerendered frames) takes a `Slider`.
 """
 
 from typing import get_args

@@ -1,4 +1,9 @@
-"""All kinds of questions. To add one: its folder, its import, and its name in `KINDS`."""
+"""All kinds of questions. To add one: its folder, its import, and its name in `KINDS`.
+
+The folder has ``kind.py``, ``kind.html``, ``kind.ts``, ``kind.css``, examples in ``kind.md``, and
+for quizzes ``moodle.xml`` and ``qti.xml``, its form on learning platforms. Words of its template
+and script go into every ``languages/*.toml``, in the same place.
+"""
 
 from site_builder.document.blocks import Question
 from site_builder.markdown.directive import OptionLine
