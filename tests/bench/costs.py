@@ -33,7 +33,8 @@ def over_budget(costs: Mapping[str, Any], budgets: Mapping[str, Any]) -> Iterato
         if not isinstance(at, int | float):
             yield f"{' '.join(path)}: not measured"
         elif not at <= most:
-            yield f"{' '.join(path)}: {at:g}, {at / most - 1:.0%} beyond its budget of {most:g}"
+            excess = f"{at / most - 1:.0%} " if most else ""
+            yield f"{' '.join(path)}: {at:g}, {excess}beyond its budget of {most:g}"
 
 
 def _leaves(budgets: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator[tuple[Any, float]]:

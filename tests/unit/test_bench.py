@@ -16,17 +16,20 @@ BUSY = "import time\nwhile time.process_time() < 0.2: pass\nprint(time.process_t
 
 
 @pytest.mark.parametrize(
-    ("cold", "named"),
+    ("cold", "most", "named"),
     [
-        ({"ratio": 0.45, "book_ms": 9e9}, []),
-        ({"ratio": 0.54}, ["start cold ratio: 0.54, 20% beyond its budget of 0.45"]),
-        ({}, ["start cold ratio: not measured"]),
-        ({"ratio": None}, ["start cold ratio: not measured"]),
-        ({"ratio": float("nan")}, ["start cold ratio: nan, nan% beyond its budget of 0.45"]),
+        ({"ratio": 0.45, "book_ms": 9e9}, 0.45, []),
+        ({"ratio": 0.54}, 0.45, ["start cold ratio: 0.54, 20% beyond its budget of 0.45"]),
+        ({"ratio": 2}, 0, ["start cold ratio: 2, beyond its budget of 0"]),
+        ({}, 0.45, ["start cold ratio: not measured"]),
+        ({"ratio": None}, 0.45, ["start cold ratio: not measured"]),
+        ({"ratio": float("nan")}, 0.45, ["start cold ratio: nan, nan% beyond its budget of 0.45"]),
     ],
 )
-def test_cost_beyond_its_budget_or_not_measured_is_reported(cold: Any, named: list[str]) -> None:
-    assert [*over_budget({"start": {"cold": cold}}, {"start": {"cold": {"ratio": 0.45}}})] == named
+def test_cost_beyond_its_budget_or_not_measured_is_reported(
+    cold: Any, most: float, named: list[str]
+) -> None:
+    assert [*over_budget({"start": {"cold": cold}}, {"start": {"cold": {"ratio": most}}})] == named
 
 
 def test_one_section_of_costs_is_replaced_and_others_stay(tmp_path: Path) -> None:
