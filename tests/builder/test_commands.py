@@ -1,4 +1,4 @@
-"""Commands: what they say, to people and to programs, and with which number they end."""
+"""Commands: their output for people and for programs, and their exit codes."""
 
 import json
 import os
@@ -51,9 +51,9 @@ def run(run: Run) -> Run:
 
 def test_json_report_has_the_promised_fields(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
     assert run("check", "--json", body="A price of 5$ each.\n") == 1
-    said = capsys.readouterr()
-    assert said.err == ""
-    found = json.loads(said.out)
+    output = capsys.readouterr()
+    assert output.err == ""
+    found = json.loads(output.out)
     assert (found["mistakes"], found["warnings"]) == (1, 0)
     (diagnostic,) = found["diagnostics"]
     message, suggestion = diagnostic.pop("message"), diagnostic.pop("suggestion")
@@ -106,12 +106,12 @@ def test_mistakes_and_warnings_are_listed_and_only_mistakes_fail(
     last: str,
 ) -> None:
     assert run("check", body=body) == (mistakes > 0)
-    said = capsys.readouterr()
-    listed = [line for line in said.err.splitlines() if line and line != last]
+    output = capsys.readouterr()
+    listed = [line for line in output.err.splitlines() if line and line != last]
     assert all(re.fullmatch(r"[^:]+:\d+: .+", line) for line in listed)
     assert len(listed) == mistakes + warnings
     assert sum("warning:" in line for line in listed) == warnings
-    assert (said.err if mistakes else said.out).splitlines()[-1] == last
+    assert (output.err if mistakes else output.out).splitlines()[-1] == last
 
 
 def test_site_is_built_in_the_given_folder_and_survives_a_mistake(run: Run, tmp_path: Path) -> None:
@@ -125,7 +125,7 @@ def test_site_is_built_in_the_given_folder_and_survives_a_mistake(run: Run, tmp_
 
 @pytest.mark.parametrize("closed", [1, 2])
 def test_exit_code_is_kept_when_an_output_stream_is_closed(closed: int, tmp_path: Path) -> None:
-    """A folder without a book is 1, and what is printed is lost."""
+    """The command fails with 1 in a folder without a book; its output is lost."""
     command = f"{shlex.quote(sys.executable)} -m site_builder check {closed}>&-"
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
     done = subprocess.run(
@@ -226,16 +226,16 @@ def test_module_that_cannot_be_imported_is_reported_with_its_line(tmp_path: Path
         "drawn": "from simulations.engine.drawing import polyline\n"
         "polyline([(0, 0)] * 1_000_000)\n",
     }
-    told: dict[str, str] = {}
+    causes: dict[str, str] = {}
     with small_package(tmp_path, sources), using_pool():
         for name, error in (("unread", SyntaxError), ("ended", KilledError), ("drawn", ValueError)):
             with pytest.raises(error) as raised:
                 run_in_pool(partial(import_module, f"{PACKAGE}.{name}"))
-            told[name] = cause(raised.value)
-    assert told["unread"] == "SyntaxError: invalid syntax, at simulations/small/unread.py:1"
-    assert told["ended"].startswith("KilledError: ends its process, exit code 3")
-    assert told["ended"].endswith(", at simulations/small/ended.py:2")
-    assert told["drawn"].endswith(", at simulations/small/drawn.py:2")
+            causes[name] = cause(raised.value)
+    assert causes["unread"] == "SyntaxError: invalid syntax, at simulations/small/unread.py:1"
+    assert causes["ended"].startswith("KilledError: ends its process, exit code 3")
+    assert causes["ended"].endswith(", at simulations/small/ended.py:2")
+    assert causes["drawn"].endswith(", at simulations/small/drawn.py:2")
 
 
 def test_exception_of_a_scene_is_reported_once_at_its_line_and_figure(

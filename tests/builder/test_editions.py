@@ -1,5 +1,4 @@
-"""The book on paper, as an e-book and as notebooks: whole, every link resolved, every answer last;
-passages as Markdown say the same when they are read again."""
+"""The book in print, as an e-book and as notebooks, and its passages as Markdown."""
 
 import io
 import posixpath
@@ -193,7 +192,7 @@ NUMBERED = f'<p><span data-page-of="a"/> <span data-page-of="b" data-page-as="{N
 
 
 def test_typesetting_repeats_until_page_numbers_are_stable() -> None:
-    """Here the numbers push a line onto the next page once they are known."""
+    """Here the page numbers, once known, move a line to the next page."""
 
     def numbers() -> Iterator[dict[str, int]]:
         yield from ({"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 1, "b": 3})
@@ -243,10 +242,10 @@ def test_all_missing_requirements_of_a_pdf_are_listed_at_once(
     browser = None if "Chromium" in missing else Path("chromium")
     monkeypatch.setattr(chromium, "find_chromium", lambda: browser)
     assert main(["pdf"]) == 1
-    (said,) = capsys.readouterr().err.splitlines()
-    named = re.sub(r"\(.*?\)", "", said)
+    (message,) = capsys.readouterr().err.splitlines()
+    named = re.sub(r"\(.*?\)", "", message)
     assert {name for name in ("playwright", "pypdf", "Chromium") if name in named} == missing
-    assert ("textbook-builder[pdf]" in said) == bool(missing - {"Chromium"})
+    assert ("textbook-builder[pdf]" in message) == bool(missing - {"Chromium"})
 
 
 SIGNS = r"A \*star\*, a \_line\_, a [bracket], 2 < 3, \$5, \# 1, a \`tick\` and a \\ back slash."

@@ -20,7 +20,7 @@ NAMES = {
     "CPython", "DOI", "Esc", "ISBN", "ORCID", "QTIv", "Package",
     "data", "doi", "embed", "feed", "https", "isbn", "orcid", "org", "urn", "uuid", "xml",
 }  # fmt: skip
-"""What is called the same in all languages, parts of addresses, and the name of QTI's packages."""
+"""Names that are equal in all languages, parts of addresses, and names in QTI packages."""
 OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
 OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
 OF_THE_ENGINE = re.compile(r"""\bMessage\(\s*"([\w.-]+)""")
@@ -31,7 +31,7 @@ MADE = (
     "script.predict.", "script.runtime.", "script.stage_report.", "script.tools.python_copied",
     "script.search.found", "script.search.near", "script.exercise.",
 )  # fmt: skip
-"""Begin the keys that are put together where they are asked for."""
+"""Beginnings of keys that are composed where they are used."""
 
 
 def sources() -> Iterator[tuple[Path, str]]:
@@ -45,8 +45,8 @@ def sources() -> Iterator[tuple[Path, str]]:
                 yield file, file.read_text(encoding="utf-8")
 
 
-def asked() -> Iterator[tuple[str, bool]]:
-    """Keys that something asks for, and whether each is whole or only its beginning."""
+def used_keys() -> Iterator[tuple[str, bool]]:
+    """Keys that are used, each with whether it is complete or only a beginning."""
     for file, text in sources():
         if file.suffix == ".ts":
             yield from ((SCRIPT + key, mark == '"') for mark, key in OF_SCRIPTS.findall(text))
@@ -61,11 +61,11 @@ def test_every_interface_text_exists_and_is_used() -> None:
     keys = ENGLISH.texts
     missing = [
         key
-        for key, whole in asked()
+        for key, whole in used_keys()
         if not (key in keys if whole else any(k.startswith(key) for k in keys))
     ]
     assert missing == []
-    used = {key for key, _ in asked()}
+    used = {key for key, _ in used_keys()}
     for file, text in sources():
         named = QUOTED.findall(text)
         used |= {SCRIPT + key if file.suffix == ".ts" else key for key in named} | set(named)
@@ -122,15 +122,17 @@ def test_numbers_follow_the_language(text: str, german: str) -> None:
 
 
 def test_templates_and_scripts_contain_no_text() -> None:
-    said = {word for file, text in sources() if "templates" in file.parts for word in bare(text)}
-    assert said <= NAMES
+    found_words = {
+        word for file, text in sources() if "templates" in file.parts for word in bare(text)
+    }
+    assert found_words <= NAMES
     sentence = re.compile(r"""["`]([A-Z][a-z]+ [a-z][^"`]*)["`]""")
     texts = (BLOCK_COMMENT.sub("", text) for file, text in sources() if file.suffix == ".ts")
     assert [found for text in texts for found in sentence.findall(text)] == []
 
 
 def bare(template: str) -> list[str]:
-    """Words that stand in a template itself, between its tags or in what is read out."""
+    """Words in a template itself, between its tags or in attributes that are read aloud."""
     for hidden in (
         r"\{% set (begin|find_home|looks) %\}.*?\{% endset %\}",
         r"\{#.*?#\}",

@@ -1,4 +1,4 @@
-"""Names of files that are no addresses as they are, side files of editors, and odd places."""
+"""File names that need escaping, side files of editors, and unusual places of a book or site."""
 
 import errno
 import html
@@ -114,7 +114,7 @@ def test_braces_in_labels_of_numbered_elements_are_text(make_book: MakeBook) -> 
 
 
 def linked(folder: Path) -> Path:
-    """A link to a folder elsewhere."""
+    """A link to another folder."""
     (folder / "elsewhere").mkdir()
     (folder / "site").symlink_to(folder / "elsewhere")
     return folder / "site"
@@ -154,7 +154,7 @@ def test_scenes_are_found_though_the_book_is_not_on_the_python_path(tmp_path: Pa
     for name in ("__init__", "own"):
         (scenes / f"{name}.py").touch()
     script = "import site_builder, simulations.registry as r; print(*r.SCENE_MODULES)"
-    # The engine is found as an installed one is, not by the folder in which Python is started.
+    # The engine is found as if installed, not by the working folder.
     path = {"PYTHONSAFEPATH": "1", "PYTHONPATH": str(ROOT)}
     printed = subprocess.run(
         [sys.executable, "-c", script],

@@ -1,4 +1,4 @@
-"""The pages of a small book: well formed, complete without scripts, and as the contract says."""
+"""The pages of a small book: links, catalogue, licences, title page, policy and reading times."""
 
 import base64
 import hashlib
@@ -90,7 +90,7 @@ def test_catalogue_has_controls_of_figures_and_options_of_questions(
 
 
 def test_licences_of_all_shipped_parts_are_complete(site: Mapping[str, bytes]) -> None:
-    """Licences of the interpreter are where it is."""
+    """Only a book with figures has the licences of the interpreter."""
     of_the_runtime = (
         "Mozilla Public License Version 2.0",
         "PYTHON SOFTWARE FOUNDATION LICENSE",
@@ -99,8 +99,8 @@ def test_licences_of_all_shipped_parts_are_complete(site: Mapping[str, bytes]) -
     page = site["licences/index.html"].decode()
     assert "SIL OPEN FONT LICENSE" in page
     assert not any(phrase in page for phrase in of_the_runtime)
-    told = "".join(licence.text for licence in gather_licences(Path(), VERSIONS))
-    assert all(phrase in told for phrase in of_the_runtime)
+    texts = "".join(licence.text for licence in gather_licences(Path(), VERSIONS))
+    assert all(phrase in texts for phrase in of_the_runtime)
 
 
 def test_title_page_has_starts_parts_and_the_first_figure_of_a_chapter(

@@ -83,7 +83,8 @@ IN_MOODLE: dict[str, tuple[str, list[tuple[str, float, str]]]] = {
     "in-a-row": ("ordering", [("One", 1, ""), ("Two", 2, ""), ("Three", 3, "")]),
     "set-it": ("essay", []),
 }
-"""Kinds; text, share of the points in per cent, and reply of each answer."""
+"""The kind of each question, with the text, the share of the points in per cent and the reply of
+each answer."""
 
 
 @pytest.mark.parametrize("name", IN_MOODLE)
@@ -167,7 +168,7 @@ def test_qti_item_scores_and_replies_like_the_book(
 
 
 def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:
-    """Its schema wants a unit of every length, and has no classes."""
+    """The schema requires a unit for every length, and has no classes."""
     item = ElementTree.fromstring(package["items/quiz-one-of-two.xml"])
     formulae = [part for math in item.iter(f"{MATHML}math") for part in math.iter()]
     assert {part.get("lspace") for part in formulae if part.tag == f"{MATHML}mpadded"} == {"0em"}
@@ -177,7 +178,7 @@ def test_formulae_of_qti_are_mathml_2(package: dict[str, str]) -> None:
 def test_other_importers_read_both_formats(
     book: Book, package: dict[str, str], tmp_path: Path
 ) -> None:
-    """The schema of QTI has no orders."""
+    """Questions about an order are left out, which the QTI schema does not have."""
     read = moodle_reader.parse_bytes(make_moodle(book))["multichoice"]
     assert [(one.single, len(one.options)) for one in read] == [(True, 2), (False, 3)]
     found = []

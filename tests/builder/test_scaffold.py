@@ -1,5 +1,4 @@
-"""What ``new`` makes works at once: a book of an installed engine, one skeleton of each kind in it,
-and the book again after the engine was upgraded."""
+"""Books and skeletons made by ``new`` work at once, and also after an upgrade of the engine."""
 
 import re
 import resource
@@ -44,15 +43,15 @@ import sys
 from site_builder.__main__ import main
 sys.exit(any([main(["new", *piece.split()]) for piece in sys.argv[1:]]))
 """
-"""Program that makes books by the command, which is started once for all."""
+"""A program that makes all skeletons in one process."""
 
 
 @pytest.mark.parametrize("like", GALLERY)
 def test_gallery_figure_works_under_a_new_name(
     like: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Each of its controls changes what is shown, but for a start that already shows an end; each
-    handle comes to where it is pulled."""
+    """Each control changes the frame at one end of its range at least, and each handle follows a
+    drag."""
     make_new(tmp_path, "scene", "my-figure", like)
     name, folder = "simulations.scenes.my_figure", tmp_path / "simulations" / "scenes"
     spec = spec_from_file_location(name, folder / "my_figure.py")
@@ -89,12 +88,12 @@ PARTS = (
     "site_builder",
     "static",
 )
-"""The files of the repository that its wheel is made of."""
+"""The parts of the repository in its wheel."""
 
 
 @pytest.fixture(scope="session")
 def first_book(engine: Engine, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
-    """A new book with one more piece of each kind, made by the installed engine's command."""
+    """A new book with one skeleton of each kind, made by the command of the installed engine."""
     own = tmp_path_factory.getbasetemp()
     folder = (own if worker_id == "master" else own.parent) / "first-book"
     with FileLock(f"{folder}.lock"):
@@ -189,8 +188,8 @@ def test_tests_of_a_new_book_find_a_control_without_effect(
     assert [line.partition("[")[2].partition("]")[0] for line in failed] == ["idle"], done.stdout
 
 
-def what_an_author_wrote(book: Path) -> dict[Path, bytes]:
-    """The book's sources; caches are left out, which other tests of this book write meanwhile."""
+def sources_of(book: Path) -> dict[Path, bytes]:
+    """The book's sources without caches, which other tests of this book write meanwhile."""
     made = {"build", "__pycache__"}
     return {
         file: file.read_bytes()
@@ -201,11 +200,11 @@ def what_an_author_wrote(book: Path) -> dict[Path, bytes]:
 
 
 def test_existing_file_is_never_overwritten(first_book: Path) -> None:
-    before = what_an_author_wrote(first_book)
+    before = sources_of(first_book)
     for kind, name in PIECES_MADE:
         with pytest.raises(ScaffoldError, match="is there already; legal: "):
             make_new(first_book, kind, name)
-    assert what_an_author_wrote(first_book) == before
+    assert sources_of(first_book) == before
 
 
 WRITERS: Mapping[str, Callable[[Path], object]] = {
@@ -307,7 +306,7 @@ def test_upgrade_of_the_engine_takes_effect_in_a_book(engine: Engine, tmp_path: 
 
 @pytest.mark.deep
 def test_new_book_needs_only_python_and_make(engine: Engine, tmp_path: Path) -> None:
-    """All packages come from the index, as for an author."""
+    """All packages come from the package index, as for an author."""
     assert engine.run(tmp_path, "-m", "site_builder", "new", "book", "book").returncode == 0
     for target in ("test", "site", "pdf", "epub", "notebooks", "questions"):
         done = run(tmp_path / "book", "make", target)

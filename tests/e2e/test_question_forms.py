@@ -1,5 +1,5 @@
-"""Questions: every answer is judged and explained, by mouse and by keyboard; progress is
-kept, carried to another browser, and merged for a class."""
+"""Questions: answers by mouse and keyboard, their grading, and progress files of readers and
+classes."""
 
 import json
 from pathlib import Path
@@ -122,10 +122,10 @@ SET = """([id, values]) => {
 }"""
 
 
-def check(form: Locator, judged: str) -> None:
-    """Press the form's button by keyboard, and wait for that verdict."""
+def check(form: Locator, expected_verdict: str) -> None:
+    """Press the form's button by keyboard, and wait for this verdict."""
     form.locator("button[type=submit]").press("Enter")
-    expect(form).to_have_attribute("data-answered", judged)
+    expect(form).to_have_attribute("data-answered", expected_verdict)
 
 
 def test_figure_question_is_graded_at_its_settings_and_only_with_python(
@@ -249,14 +249,14 @@ def test_broken_progress_file_changes_nothing(plain_reader: Reader, tmp_path: Pa
         file.write_text(content)
         page.locator(".progress-file").set_input_files(file)
         expect(page.locator(".progress-said")).to_contain_text(words)
-    kept = page.evaluate("Object.keys(localStorage).filter(k => k.includes(':quiz'))")
-    assert kept == []
+    stored = page.evaluate("Object.keys(localStorage).filter(k => k.includes(':quiz'))")
+    assert stored == []
 
 
 def test_progress_files_of_a_class_become_a_table_without_uploads(
     plain_reader: Reader, tmp_path: Path
 ) -> None:
-    """Answers to another edition of a question are left out."""
+    """Answers to another edition of a question do not count."""
     page = plain_reader.page
     plain_reader.open("class/", live=False)
     asked = json.loads(page.locator(".class-data").text_content() or "")
@@ -283,9 +283,9 @@ def test_progress_files_of_a_class_become_a_table_without_uploads(
         broken.write_text("{")
         page.locator(".class-files").set_input_files([*files, broken])
         expect(page.locator(".class-tables details")).to_have_count(2)
-        said = page.locator(".class-said").inner_text()
-        assert "12 files, 2 questions" in said
-        assert "broken.json" in said
+        message = page.locator(".class-said").inner_text()
+        assert "12 files, 2 questions" in message
+        assert "broken.json" in message
 
     with step("each question has its answers"):
 
