@@ -286,7 +286,7 @@ SCENE = Scene()
 LOOP = "def loop():\n    while True: pass\n"
 
 
-def test_a_function_that_never_ends_is_a_mistake_of_the_text_that_calls_it(
+def test_endless_function_is_reported_in_the_text_that_calls_it(
     tmp_path: Path, make_book: MakeBook
 ) -> None:
     body = f"```calc\nfrom {PACKAGE}.odd import loop\n```\n\n{{calc}}`loop()`"
@@ -296,7 +296,7 @@ def test_a_function_that_never_ends_is_a_mistake_of_the_text_that_calls_it(
     assert str(found) == "content/00-first.md:9: 'loop()': KilledError: takes more than 2 s"
 
 
-def test_data_that_a_module_names_travel_with_it(tmp_path: Path) -> None:
+def test_data_files_named_by_a_module_are_packed_with_it(tmp_path: Path) -> None:
     source = "from pathlib import Path\nTEXT = Path(__file__).with_name('heights.csv')\n"
     with small_package(tmp_path, {"named": source}):
         for name in ("heights", "speeds"):

@@ -253,7 +253,7 @@ READ_AGAIN = MarkdownIt("commonmark").enable("table").use(dollarmath_plugin)
 
 
 @pytest.mark.parametrize("address", ["", "https://host/book/"])
-def test_a_notebook_has_frames_and_links_to_the_site_where_it_has_an_address(
+def test_notebook_has_frames_and_links_to_a_site_with_an_address(
     make_book: MakeBook, address: str
 ) -> None:
     body = "See {ref}`second`.\n\n:::{simulation} demo\n:k1: 0.25\n:tier: fast\nPull it.\n:::\n\n"

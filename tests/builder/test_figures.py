@@ -88,7 +88,7 @@ def test_invalid_frame_is_reported_once_at_the_figures_line(
     assert says in found
 
 
-def test_valid_frame_has_no_report_but_an_unused_formula_has(
+def test_valid_frame_has_no_report_and_an_unused_formula_has_one(
     diagnose: Diagnose,
 ) -> None:
     drawn = frame("<g class='ray world'><text>nan</text></g>", np.zeros((2, 2, 4), np.uint8))

@@ -149,7 +149,7 @@ def bare(template: str) -> list[str]:
     return [word for part in (text, *read) for word in re.findall(r"[A-Za-z]{2,}", part)]
 
 
-def test_a_book_in_a_language_of_its_own_is_read_from_right_to_left(make_book: MakeBook) -> None:
+def test_book_with_its_own_language_is_read_from_right_to_left(make_book: MakeBook) -> None:
     files = {
         "content/languages/he.toml": '[language]\ndirection = "rtl"\n[labels]\nfigure = "איור"\n',
         "content/book.toml": OUTLINE + 'language = "he"\n',

@@ -64,7 +64,7 @@ def full_of_markup(make_book: MakeBook) -> Options:
 
 
 @pytest.mark.browser
-def test_what_looks_like_a_script_does_not_run(
+def test_text_that_looks_like_a_script_does_not_run(
     full_of_markup: Options, chromium: Browser, tmp_path: Path
 ) -> None:
     site = rendered(full_of_markup)
@@ -162,14 +162,14 @@ QUIET = settings(
 
 @settings(QUIET, max_examples=100)
 @given(maimed())
-def test_no_chapter_however_maimed_stops_the_reading(text: str) -> None:
+def test_damaged_chapters_are_read_in_time(text: str) -> None:
     assert_read_in_time(text)
 
 
 @pytest.mark.deep
 @settings(QUIET, max_examples=3000, derandomize=False)
 @given(maimed())
-def test_none_of_thousands_of_maimed_chapters_stops_the_reading(text: str) -> None:
+def test_thousands_of_damaged_chapters_are_read_in_time(text: str) -> None:
     assert_read_in_time(text)
 
 
@@ -188,5 +188,5 @@ def test_none_of_thousands_of_maimed_chapters_stops_the_reading(text: str) -> No
     ],
     ids=lambda text: text[:12],
 )
-def test_repetition_without_end_is_read_in_time(text: str) -> None:
+def test_long_repetitions_are_read_in_time(text: str) -> None:
     assert_read_in_time(f"---\ntitle: T\nsummary: s\n---\n\n{text}\n")

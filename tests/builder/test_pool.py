@@ -36,7 +36,7 @@ def pool() -> Iterator[None]:
         yield
 
 
-def test_a_process_of_the_pool_ends_with_it() -> None:
+def test_processes_end_with_their_pool() -> None:
     with using_pool():
         process = run_in_pool(os.getpid)
         assert process != os.getpid()
@@ -56,9 +56,7 @@ ENDS = [
 
 
 @pytest.mark.parametrize(("line", "says"), ENDS)
-def test_a_job_that_does_not_return_is_killed_and_its_line_is_named(
-    line: str, says: str, tmp_path: Path
-) -> None:
+def test_endless_job_is_killed_and_its_line_is_named(line: str, says: str, tmp_path: Path) -> None:
     source = f"import ctypes, itertools, os, time\n\ndef draw():\n    {line}\n\ndraw()\n"
     place = "simulations/small/scene.py"
     with using_pool(SECONDS), small_package(tmp_path / "böok", {"scene": source}):
@@ -103,7 +101,7 @@ FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
 
 
 @pytest.mark.parametrize(("job", "error", "words"), FAILURES)
-def test_a_failure_comes_back_and_the_next_job_runs(
+def test_exception_of_a_job_is_raised_and_the_next_job_runs(
     job: Callable[[], object], error: type[Exception], words: str
 ) -> None:
     with pytest.raises(error, match=words):
@@ -111,7 +109,7 @@ def test_a_failure_comes_back_and_the_next_job_runs(
     assert run_in_pool(partial(divmod, 7, 4)) == (1, 3)
 
 
-def test_what_a_job_prints_is_shown_beside_the_output_of_the_command() -> None:
+def test_output_of_a_job_is_shown_beside_the_output_of_the_command() -> None:
     script = """
 import os
 from functools import partial
@@ -144,7 +142,7 @@ def attribute(module: str, name: str) -> Any:
     return getattr(sys.modules[module], name)
 
 
-def test_a_scene_is_copied_without_importing_its_module(tmp_path: Path) -> None:
+def test_scene_is_copied_without_importing_its_module(tmp_path: Path) -> None:
     with small_package(tmp_path, {"scene": SCENE}), using_pool():
         scene = copy_of(MODULE, partial(attribute, MODULE, "SCENE"))
         assert MODULE not in sys.modules
@@ -152,7 +150,7 @@ def test_a_scene_is_copied_without_importing_its_module(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
-def test_a_copy_of_a_scene_has_what_the_builder_reads(scene_id: str) -> None:
+def test_copy_of_a_scene_has_all_fields_that_the_builder_reads(scene_id: str) -> None:
     scene = load_scene(scene_id)
     copy = copy_of(SCENE_MODULES[scene_id], partial(load_scene, scene_id))
     assert copy.controls == scene.controls
@@ -180,7 +178,7 @@ def focal(camera):
 """
 
 
-def test_objects_and_functions_of_an_author_are_used_without_importing_their_module(
+def test_objects_of_authors_are_used_without_importing_their_module(
     tmp_path: Path,
 ) -> None:
     with small_package(tmp_path, {"scene": MODEL}), using_pool():
@@ -194,6 +192,6 @@ def test_objects_and_functions_of_an_author_are_used_without_importing_their_mod
         assert MODULE not in sys.modules
 
 
-def test_jobs_side_by_side_give_their_results_in_order() -> None:
+def test_parallel_jobs_return_their_results_in_order() -> None:
     jobs = [partial(run_in_pool, partial(divmod, number, 4)) for number in range(9)]
     assert [done.result() for done in side_by_side(jobs)] == [divmod(n, 4) for n in range(9)]

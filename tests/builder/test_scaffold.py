@@ -224,7 +224,7 @@ def sources(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("command", WRITERS)
-def test_where_the_disk_is_full_the_sources_stay_as_they_were(command: str, sources: Path) -> None:
+def test_sources_stay_unchanged_when_the_disk_is_full(command: str, sources: Path) -> None:
     before = {file: file.read_bytes() for file in sources.rglob("*.*")}
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (9000, limits[1]))
@@ -237,7 +237,7 @@ def test_where_the_disk_is_full_the_sources_stay_as_they_were(command: str, sour
 
 
 @pytest.mark.parametrize("command", WRITERS)
-def test_a_source_that_is_a_link_stays_one_and_keeps_its_permissions(
+def test_linked_source_stays_a_link_and_keeps_its_permissions(
     command: str, sources: Path
 ) -> None:
     elsewhere = (sources / "content").rename(sources / "elsewhere")
@@ -252,7 +252,7 @@ def test_a_source_that_is_a_link_stays_one_and_keeps_its_permissions(
     assert all((sources / "content" / file.name).is_symlink() for file in before)
 
 
-def test_a_folder_with_something_in_it_gets_no_book(tmp_path: Path) -> None:
+def test_new_book_in_a_non_empty_folder_is_refused(tmp_path: Path) -> None:
     folder = tmp_path / "full"
     folder.mkdir()
     (folder / "thesis.tex").write_text("years of work")

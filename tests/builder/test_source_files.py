@@ -195,7 +195,7 @@ HEAD = f'<svg xmlns="{SVG}" viewBox="0 0 9 9">'
         f'{HEAD}<metadata><a xmlns="http://creativecommons.org/ns#"/></metadata></svg>',
     ],
 )
-def test_a_drawing_of_any_program_may_be_published(file: str) -> None:
+def test_drawing_of_any_program_may_be_published(file: str) -> None:
     assert read_svg(file.encode()).faults == ()
 
 
@@ -211,12 +211,12 @@ def test_a_drawing_of_any_program_may_be_published(file: str) -> None:
         (HEAD.encode("utf-16").decode("latin-1"), 1, "no SVG: "),
     ],
 )
-def test_a_file_that_is_no_drawing_is_reported_at_its_line(file: str, line: int, says: str) -> None:
+def test_invalid_drawing_is_reported_at_its_line(file: str, line: int, says: str) -> None:
     (fault,) = read_svg(file.encode("latin-1")).faults
     assert (fault.line, fault.message[: len(says)]) == (line, says)
 
 
-def test_a_style_element_may_stand_in_a_file_and_not_in_a_drawing_of_a_scene() -> None:
+def test_style_element_is_legal_in_a_file_but_not_in_a_scene_drawing() -> None:
     (fault,) = read_overlay("<g/>\n<style>.a { fill: red }</style>").faults
     assert (fault.line, fault.message.partition(";")[0]) == (2, "<style> in a drawing")
     assert read_overlay('<g class="a b"><g class="b c"/></g>').classes == {"a", "b", "c"}

@@ -38,7 +38,7 @@ def check(form: Locator, text: str) -> str:
     return form.locator("[data-results]").inner_text() + form.locator(".feedback").inner_text()
 
 
-def test_written_function_is_judged_used_in_a_figure_and_stored(
+def test_written_function_is_graded_used_in_a_figure_and_stored(
     reader: Reader, form: Locator
 ) -> None:
     data = json.loads(form.locator(".quiz-data").text_content() or "")

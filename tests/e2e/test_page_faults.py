@@ -195,7 +195,7 @@ HUGE = """(count) => {
 
 
 @pytest.mark.parametrize("chapter", ["why-image-formation/", "perspective-projection/"])
-def test_junk_in_storage_is_no_answer_and_does_no_harm(plain_reader: Reader, chapter: str) -> None:
+def test_invalid_answers_in_storage_are_ignored(plain_reader: Reader, chapter: str) -> None:
     """Together the chapters have every kind of question and prediction."""
     plain_reader.open(chapter, live=False)
     page = plain_reader.page
@@ -285,7 +285,7 @@ def published_policy(site: Path) -> str:
     return strict
 
 
-def test_strictest_policy_allows_the_book_and_refuses_all_else(
+def test_strictest_policy_allows_the_book_and_nothing_else(
     baseline_chromium: Browser, built_site: Path
 ) -> None:
     """Sent as a header, which also applies to workers. A figure becomes live, its Python opens in

@@ -16,7 +16,9 @@ from support.static_server import StaticServer, serving
 pytestmark = pytest.mark.browser
 
 
-def test_guess_stands_beside_the_answer_until_it_is_reset(plain_reader: Reader, book: Any) -> None:
+def test_guess_is_shown_beside_the_answer_until_it_is_reset(
+    plain_reader: Reader, book: Any
+) -> None:
     page = plain_reader.page
     reset = page.locator("[data-progress-reset]")
     form = open_prediction(plain_reader, book, "corner-of-a-barrel")

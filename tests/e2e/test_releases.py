@@ -258,7 +258,7 @@ def test_stored_book_is_removed_once_offline_use_is_turned_off(
     until(lambda: not tab.evaluate("() => caches.keys()"))
 
 
-def test_browser_cache_goes_first_a_retry_repairs_and_ranges_work(
+def test_browser_cache_is_used_first_and_retries_and_ranges_work(
     tab: ChromiumTab, host: StaticServer
 ) -> None:
     """With a script in its own cache, the browser also caches the compiled code."""

@@ -48,7 +48,7 @@ HEAD = """() => [...document.head.querySelectorAll(
   .map((part) => `${part.rel ?? part.name} ${part.href ?? part.content}`).sort()"""
 
 
-def test_each_chapter_is_complete_live_and_judges_its_answers(reader: Reader, book: Any) -> None:
+def test_each_chapter_is_complete_live_and_grades_its_answers(reader: Reader, book: Any) -> None:
     """Answers are still stored after a reload, and each page has its own head."""
     page, chapters = reader.page, book["chapters"]
     page.add_init_script(HOLD)

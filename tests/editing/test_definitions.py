@@ -76,7 +76,7 @@ def test_every_stage_and_draw_function_is_in_an_editable_module(scene_id: str) -
         assert name in definitions(module_source(module))
 
 
-def test_function_not_written_in_python_has_no_home() -> None:
+def test_function_not_written_in_python_has_no_source_module() -> None:
     assert home(np.add) == ("", "")
 
 

@@ -149,7 +149,7 @@ def test_readers_corners_replace_the_simulated_ones() -> None:
     assert float(texts_of(out)["rms_shown"]) < 0.2
 
 
-def test_press_on_a_photograph_leaves_it_out() -> None:
+def test_press_on_a_photograph_excludes_it() -> None:
     given = readings(8)
     bad = np.array(given[4].data["corners"]) + np.random.default_rng(0).normal(0, 2, (54, 2))
     given = (*given[:4], replace(given[4], data={**given[4].data, "corners": bad}), *given[5:])

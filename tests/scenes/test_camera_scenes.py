@@ -112,7 +112,7 @@ def test_camera_follows_the_arc_or_the_chord_of_its_tier(tier: str) -> None:
     assert ROTATION.pull(ROTATION.check(shares[0]), "sight", place, tier) == {"t": 0.35}
 
 
-def test_nlerp_errs_by_the_chord_and_exact_tiers_by_nothing() -> None:
+def test_error_of_nlerp_follows_the_chord_and_exact_tiers_have_none() -> None:
     """Half a turn: the places at share s of the chord are seen at atan2(s, 1 - s) of the arc."""
     shares = np.linspace(0, 1, 61)
     off = np.degrees(2 * np.abs(np.arctan2(shares, 1 - shares) - shares * np.pi / 2))

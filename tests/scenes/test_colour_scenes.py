@@ -55,7 +55,7 @@ def test_metameric_cloths_match_in_daylight_alone() -> None:
 
 @pytest.mark.parametrize("light", LIGHTS)
 @pytest.mark.parametrize("sensor", ["camera", "eye"])
-def test_grey_comes_out_grey_and_a_matrix_for_the_light_errs_less(light: str, sensor: str) -> None:
+def test_grey_stays_grey_and_a_matrix_for_the_light_has_less_error(light: str, sensor: str) -> None:
     errors = []
     for matrix in ("own", "daylight"):
         colours = outputs_of(SENSOR, light=light, sensor=sensor, matrix=matrix)["colours"]

@@ -80,7 +80,7 @@ def ratio(scene: str, name: str) -> float:
 
 
 @pytest.mark.parametrize(("scene", "name"), TIMES)
-def test_a_frame_takes_no_longer_than_it_did(scene: str, name: str) -> None:
+def test_frame_time_has_not_increased(scene: str, name: str) -> None:
     found = ratio(scene, name)
     print(f"{scene} {name}: {found:.3g} times as long as the work, {TIMES[scene, name]} before")
     assert found < SLOWER * TIMES[scene, name]

@@ -81,7 +81,7 @@ def test_error_bound_near_the_fold_has_slope_minus_one_half() -> None:
 
 
 @pytest.mark.parametrize("formula", FORMULAS)
-def test_rearranged_formula_keeps_a_picture_that_the_written_one_ruins(formula: str) -> None:
+def test_rearranged_formula_is_accurate_where_the_printed_one_fails(formula: str) -> None:
     truth = painted(room(COLUMNS // 2)).astype(int)
     worst = [
         [np.abs(one.astype(int) - truth).max() for one in pictures(formula, digits, power, 100)]

@@ -56,7 +56,7 @@ def drag(slow: int) -> Drag:
     return Drag("one", "a", 4.0, latencies, [1.0], levels, "best")
 
 
-def test_slider_is_late_if_more_than_one_move_in_twenty_is() -> None:
+def test_slider_is_late_if_over_one_in_twenty_moves_is_late() -> None:
     in_time, late = drag(1), drag(3)
     assert (in_time.late, late.late, late.late_moves) == (False, True, 3)
     found = summary([in_time, late, drag(20)])

@@ -50,7 +50,7 @@ FRAME = Frame(
 
 
 @pytest.mark.parametrize("text", SOUND)
-def test_expression_has_the_value_that_python_gives_it(text: str) -> None:
+def test_expression_has_the_same_value_as_in_python(text: str) -> None:
     assert evaluate(text, {}) == eval(text)
 
 

@@ -59,7 +59,7 @@ def test_axis_places_a_value(axis: Axis, value: float, place: float) -> None:
 
 
 @given(st.floats(-20, 20), st.booleans())
-def test_place_on_an_axis_leads_back_to_its_value(exponent: float, log: bool) -> None:
+def test_position_on_an_axis_maps_back_to_its_value(exponent: float, log: bool) -> None:
     axis = Axis(0.01, 1000, 380, 20, log)
     value = 10.0 ** (exponent / 4) if log else exponent
     assert axis.value(axis.place(value)) == pytest.approx(value, rel=1e-9, abs=1e-9)

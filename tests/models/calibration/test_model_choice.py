@@ -134,7 +134,7 @@ def test_growth_agrees_with_calibrations_of_the_first_photographs() -> None:
 
 @pytest.mark.parametrize("corner", [(0.08, 0.08), (0.92, 0.08), (0.08, 0.92), (0.92, 0.92)])
 @pytest.mark.parametrize("share", [0.1, 0.14, 0.2])
-def test_small_board_in_a_corner_of_one_photograph_is_calibrated_with_the_others(
+def test_small_board_in_one_photograph_is_calibrated_with_the_others(
     corner: tuple[float, float], share: float
 ) -> None:
     truth = photographs(8, seed=3)
