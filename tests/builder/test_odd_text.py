@@ -1,8 +1,8 @@
-"""Odd texts: what looks like markup is shown as the text that it is, and reading ends whatever is
-written, with diagnostics.
+"""Odd texts: text that looks like markup is shown as text, and damaged chapters are read in time,
+with diagnostics.
 
-Of maimed chapters ``make test`` tries a hundred, always the same; ``make test-deep`` thousands of
-new ones.
+``make test`` reads the same hundred damaged chapters each time, ``make test-deep`` thousands of new
+ones.
 """
 
 import re
@@ -53,12 +53,12 @@ FIELDS = {
     "content/glossary.toml": f'["{SCRIPT}"]\nsays = "A word."\nexplained = "first"\n'
     f"words = ['Glossed']\nalso = ['{QUOTE}']\n",
 }
-"""Titles and other texts that take no markup: shown as they are."""
+"""Titles and other texts without markup, which are shown unchanged."""
 
 
 @pytest.fixture
 def full_of_markup(make_book: MakeBook) -> Options:
-    """A book in order whose texts look like markup everywhere."""
+    """A valid book whose texts all look like markup."""
     body = "{cite}`key` and Glossed.\n\n" + "\n\n".join(SHOWN)
     return make_book(body + "\n", FIELDS)
 
@@ -72,9 +72,9 @@ def test_text_that_looks_like_a_script_does_not_run(
         (tmp_path / "site" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "site" / name).write_bytes(content)
     alarms: list[str] = []
-    # Without the policy, which would stop it in any case.
+    # Without the content policy, which would stop any script.
     with serving(tmp_path / "site") as server, chromium.new_context(bypass_csp=True) as context:
-        context.add_init_script("globalThis.alert = (said) => { globalThis.ran = said; };")
+        context.add_init_script("globalThis.alert = (text) => { globalThis.ran = text; };")
         page = context.new_page()
         page.on("dialog", lambda dialog: alarms.append(dialog.message))
         for name in (name for name in site if name.endswith(".html")):
@@ -116,10 +116,10 @@ FRAGMENTS = sorted(set(fragments()))
 
 
 @st.composite
-def maimed(draw: st.DrawFn) -> str:
-    """A few fragments, each cut or doubled somewhere or with a mark let in."""
+def damaged_chapters(draw: st.DrawFn) -> str:
+    """A few fragments with parts cut, repeated or indented, and marks inserted."""
     parts = draw(st.lists(st.sampled_from(FRAGMENTS), min_size=1, max_size=4))
-    told = []
+    damaged = []
     for part in parts:
         for _ in range(draw(st.integers(0, 3))):
             place = draw(st.integers(0, len(part)))
@@ -135,12 +135,12 @@ def maimed(draw: st.DrawFn) -> str:
                 case "indent":
                     spaces = " " * draw(st.integers(1, 6))
                     part = "\n".join(spaces + row for row in part.split("\n"))
-        told.append(part)
-    return draw(st.sampled_from(("\n\n", "\n", ""))).join(told)
+        damaged.append(part)
+    return draw(st.sampled_from(("\n\n", "\n", ""))).join(damaged)
 
 
 def assert_read_in_time(text: str) -> None:
-    """A chapter is read as by the build; each diagnostic has a line of it."""
+    """Read a chapter like the build does; each diagnostic has one of its lines."""
     before = time.process_time()
     problems = Diagnostics()
     shared = Shared(ROOT, load_demo, make_parser())
@@ -161,14 +161,14 @@ QUIET = settings(
 
 
 @settings(QUIET, max_examples=100)
-@given(maimed())
+@given(damaged_chapters())
 def test_damaged_chapters_are_read_in_time(text: str) -> None:
     assert_read_in_time(text)
 
 
 @pytest.mark.deep
 @settings(QUIET, max_examples=3000, derandomize=False)
-@given(maimed())
+@given(damaged_chapters())
 def test_thousands_of_damaged_chapters_are_read_in_time(text: str) -> None:
     assert_read_in_time(text)
 

@@ -1,5 +1,5 @@
-"""Authors' code runs in processes of its own: nothing in it stops a build, errors name their lines,
-and the builder gets data."""
+"""The pool of processes for authors' code: time limits, errors with their lines, output, and copies
+of objects."""
 
 import os
 import runpy
@@ -44,7 +44,7 @@ def test_processes_end_with_their_pool() -> None:
         os.kill(process, 0)
 
 
-ENDS = [
+ENDLESS = [
     ("while True: pass", "takes more than 2 s"),
     ("time.sleep(60)", "takes more than 2 s"),
     ("sum(itertools.repeat(1))", "takes more than 2 s"),
@@ -55,7 +55,7 @@ ENDS = [
 ]
 
 
-@pytest.mark.parametrize(("line", "says"), ENDS)
+@pytest.mark.parametrize(("line", "says"), ENDLESS)
 def test_endless_job_is_killed_and_its_line_is_named(line: str, says: str, tmp_path: Path) -> None:
     source = f"import ctypes, itertools, os, time\n\ndef draw():\n    {line}\n\ndraw()\n"
     place = "simulations/small/scene.py"
@@ -68,7 +68,7 @@ def test_endless_job_is_killed_and_its_line_is_named(line: str, says: str, tmp_p
 
 
 class AwkwardError(Exception):
-    """Cannot be made again from its message."""
+    """An exception that cannot be restored from its message."""
 
     def __init__(self, one: int, two: int) -> None:
         super().__init__(f"{one} and {two}")
@@ -79,7 +79,7 @@ def fail_awkwardly() -> None:
 
 
 class SilentError(AwkwardError):
-    """Cannot be put into words."""
+    """An exception without a text."""
 
     def __str__(self) -> str:
         sys.exit("no words")

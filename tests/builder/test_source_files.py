@@ -1,5 +1,4 @@
-"""Files of a book: their bytes, names and places; where keys of TOML stand; pictures and drawings
-that a page cannot show or carry."""
+"""Files of a book: unreadable files, the lines of TOML keys, and invalid pictures and drawings."""
 
 import io
 import tomllib
@@ -128,7 +127,7 @@ def picture(width: int, height: int, kind: str = "PNG") -> bytes:
 
 @pytest.fixture
 def reported(make_book: MakeBook) -> Reported:
-    """What is reported of a picture file."""
+    """The diagnostics of a picture file."""
 
     def find(name: str, data: bytes) -> list[str]:
         options = make_book()
@@ -140,7 +139,7 @@ def reported(make_book: MakeBook) -> Reported:
 
 
 def vast(side: int) -> bytes:
-    """A picture that claims to be of so many pixels."""
+    """A picture whose header claims this width and height."""
     small = picture(8, 8)
     chunk = b"IHDR" + side.to_bytes(4) * 2 + small[24:29]
     return small[:12] + chunk + zlib.crc32(chunk).to_bytes(4) + small[33:]
