@@ -1,5 +1,4 @@
-"""Words of the interface: each language has all, each is asked for, none is lost; and languages of
-a book's own."""
+"""Texts of the interface in each language, their use, and languages that a book adds."""
 
 import re
 from collections.abc import Iterator, Mapping

@@ -1,5 +1,4 @@
-"""Questions in the page, in Moodle XML and in QTI: nothing is lost, and platforms judge as the
-book does."""
+"""Questions exported to Moodle XML and QTI: their content, and grading as in the book."""
 
 import io
 import zipfile

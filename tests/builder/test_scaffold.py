@@ -237,9 +237,7 @@ def test_sources_stay_unchanged_when_the_disk_is_full(command: str, sources: Pat
 
 
 @pytest.mark.parametrize("command", WRITERS)
-def test_linked_source_stays_a_link_and_keeps_its_permissions(
-    command: str, sources: Path
-) -> None:
+def test_linked_source_stays_a_link_and_keeps_its_permissions(command: str, sources: Path) -> None:
     elsewhere = (sources / "content").rename(sources / "elsewhere")
     (sources / "content").mkdir()
     for file in elsewhere.iterdir():
