@@ -109,7 +109,7 @@ FURNITURE = ("header", "script", "style", "template", "button", "textarea", "svg
 """Elements that the builder adds to the author's text; `outline` leaves them out."""
 ATTRIBUTES = (
     "id", "name", "type", "value", "min", "max", "step", "checked", "selected", "alt", "width",
-    "height", "colspan", "lang", "hreflang", "start", "open", "data-quiz", "data-predict",
+    "height", "colspan", "lang", "start", "open", "data-quiz", "data-predict",
     "data-kind", "data-answers", "data-simulation", "data-figure", "data-values", "data-state",
     "data-frames", "data-handle",
 )  # fmt: skip
