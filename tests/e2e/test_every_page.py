@@ -55,11 +55,14 @@ COVERED = """() => {
     .filter((one) => one.checkVisibility() && one.getBoundingClientRect().left < side.right - 1)
     .map((one) => one.id || one.className);
 }"""
-CROWDED = """() => [...document.querySelectorAll("simulation-figure")].flatMap((figure) => {
+CROWDED = """(most) => [...document.querySelectorAll("simulation-figure")].flatMap((figure) => {
   const seen = (what) => [...figure.querySelectorAll(what)].filter((one) => one.checkVisibility());
   const [cells, numbers] = [seen(".control-cell").length, seen("output").length];
-  return cells > 3 || numbers > 3 ? [`${figure.dataset.simulation}: ${cells}, ${numbers}`] : [];
+  const name = figure.dataset.simulation;
+  return cells > (most[name] ?? 3) || numbers > 3 ? [`${name}: ${cells}, ${numbers}`] : [];
 })"""
+MOST_CONTROLS = {"camera": 4}
+"""Controls of a figure whose subject is how they act together."""
 SMALL_LABELS = """(least) => [...document.querySelectorAll(
     ":is(simulation-figure, .drawing) svg.overlay"
   )]
@@ -208,7 +211,7 @@ ON_DESKTOP = {
     ],
     1280: [
         Rule("lies under the contents", COVERED),
-        Rule("shows more than three controls or readouts at first", CROWDED),
+        Rule("shows more than three controls or readouts at first", CROWDED, MOST_CONTROLS),
     ],
 }
 ON_PHONE = {
