@@ -50,7 +50,7 @@ def test_face_covers_its_characters(fonts: Mapping[str, bytes], file: str, text:
     assert {character for character in text if ord(character) not in covered} == set()
 
 
-def test_faces_stay_small(fonts: Mapping[str, bytes]) -> None:
+def test_font_files_are_small(fonts: Mapping[str, bytes]) -> None:
     assert max(len(fonts[file]) for file in TEXT_FACES) < 40_000
     assert len(fonts["maths.woff2"]) < 100_000
 

@@ -219,7 +219,7 @@ LOADED = (
 
 
 @pytest.mark.parametrize(("address", "storage", "name", "junk"), LOADED)
-def test_page_that_is_loaded_with_junk_works_and_can_be_left(
+def test_page_with_invalid_storage_works_and_can_be_left(
     plain_reader: Reader, address: str, storage: str, name: str, junk: str
 ) -> None:
     plain_reader.open(address, live=False)

@@ -141,7 +141,7 @@ def test_more_rays_change_the_reference_less_than_the_best_tiers_error() -> None
     assert run.metrics["psnr"](more, run.truth, run.work) > run.error("psnr", "fibonacci-64") + 6
 
 
-def test_card_covers_the_share_of_the_lens_that_two_discs_overlap() -> None:
+def test_covered_share_of_the_lens_is_the_overlap_of_two_discs() -> None:
     """Seen from a pixel, the card covers the lens as one disc overlaps another."""
     near, lens_radius = cards.CARDS[-1], run_of("depth-of-field").work.lens_radius
     seen = cards.pixels(80, np.float64)

@@ -83,7 +83,7 @@ def test_every_tier_and_its_reference_have_the_same_scale() -> None:
         assert np.sqrt(np.mean((other - layered) ** 2)) < 3
 
 
-def test_pixel_has_the_depth_of_the_foremost_thing() -> None:
+def test_pixel_has_the_depth_of_the_nearest_object() -> None:
     ones = np.ones((4, 3, 4), np.float32)
     half = ones * np.float32(0.5)
     lit = LitScene(

@@ -73,7 +73,7 @@ def test_change_of_level_recomputes_a_stage(name: str) -> None:
 
 
 @pytest.mark.parametrize(("name", "level"), COARSER)
-def test_coarser_picture_is_near_the_one_at_rest(name: str, level: str) -> None:
+def test_coarser_level_looks_like_the_level_at_rest(name: str, level: str) -> None:
     """At the start, and at the ends of two sliders."""
     scene, most = SCENES[name], FAR_CODES.get(name, 1.5)
     sliders = (each for each in scene.controls if isinstance(each, Slider))

@@ -36,7 +36,7 @@ def test_button_leaves_out_effects_costing_less_than_half_a_code(photo: str) -> 
         assert pressed == {name: listed[f"cost_{name}"] >= 0.5 for name in EFFECTS}
 
 
-def test_effect_saves_the_time_of_its_stage() -> None:
+def test_leaving_out_an_effect_saves_the_time_of_its_stage() -> None:
     """By a clock that ticks once for each look: only stages that are left out whole take less."""
     given = SCENE.check({"blur": False, "area": False})
     ticks = count()

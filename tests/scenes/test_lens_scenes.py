@@ -148,7 +148,7 @@ def test_floor_row_has_the_depth_it_stands_for() -> None:
 
 
 @pytest.mark.parametrize("name", ["red ball", "striped ball", "green ball"])
-def test_press_on_a_thing_focuses_on_it(name: str) -> None:
+def test_press_on_an_object_focuses_on_it(name: str) -> None:
     x, _, top = BY_NAME[name].solid.centre
     depth = thing_depth(BY_NAME[name])
     across = WIDTH / 2 + UNITS_PER_TANGENT * x / depth

@@ -72,7 +72,7 @@ def test_image_obeys_object_centred_projection_on_the_drawn_ray(
     ("given", "seen"),
     [({"depth": 0}, False), ({"depth": -1}, False), ({"depth": -1, "perspective": 0}, True)],
 )
-def test_only_a_point_with_an_image_can_be_moved_by_it(
+def test_only_a_point_with_an_image_has_a_handle_there(
     given: dict[str, object], seen: bool
 ) -> None:
     assert ("image" in {place.name for place in frame_of(SCENE, **given).handles}) is seen

@@ -72,7 +72,7 @@ def test_errors_of_instants_agree_with_their_spread() -> None:
 
 @pytest.mark.parametrize("speed", [-4.0, -0.5, 2.9, 6.0])
 @pytest.mark.parametrize("quarters", [-1, 1])
-def test_quarter_turn_of_the_spoke_sets_its_time(speed: float, quarters: int) -> None:
+def test_dragged_spoke_changes_the_time_by_its_angle(speed: float, quarters: int) -> None:
     given = {"speed": speed, "frame_rate": 24, "time": 48}
     (spoke,) = (place for place in frame(**given).handles if place.name == "spoke")
     turned = (200 - quarters * (spoke.y - 150), 150 + quarters * (spoke.x - 200))

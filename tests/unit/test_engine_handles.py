@@ -145,7 +145,7 @@ def test_invalid_pull_is_refused(changed: Any, name: str, place: Point, message:
         ((GROUND, replace(GROUND, name="other")), "whole of panel 'plane'"),
     ],
 )
-def test_scene_refuses_handles_that_contradict_it(handles: Any, message: str) -> None:
+def test_handles_that_contradict_their_scene_are_refused(handles: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         scene_of(*handles)
 

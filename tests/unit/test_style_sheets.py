@@ -47,14 +47,14 @@ def lightness_and_opponents(colour: Rgb) -> tuple[float, float, float]:
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_colours_have_enough_contrast_to_their_background(theme: str) -> None:
+def test_colours_have_enough_contrast_with_their_background(theme: str) -> None:
     assert contrast((0.0, 0.0, 0.0), (1.0, 1.0, 1.0)) == pytest.approx(21)
     found = {(n, g): contrast(token(n, theme), token(g, theme)) - least for n, g, least in READABLE}
     assert {pair for pair, spare in found.items() if spare < 0} == set()
 
 
 @pytest.mark.parametrize("theme", THEMES)
-def test_colours_of_ideas_can_be_distinguished(theme: str) -> None:
+def test_role_colours_can_be_distinguished(theme: str) -> None:
     """A difference of 0.02 is just visible side by side; labels are far apart and thin."""
     places = {name: lightness_and_opponents(token(name, theme)) for name in (*IDEAS, "accent")}
     for one, other in combinations(places, 2):

@@ -64,7 +64,7 @@ ROMM = [[0.7977, 0.1352, 0.0314], [0.2880, 0.7119, 0.0001], [0.0, 0.0, 0.8252]]
         ),
     ],
 )
-def test_display_matrices_are_the_published_ones(
+def test_display_matrices_agree_with_the_published_ones(
     primaries: ArrayLike, white: ArrayLike, published: list[list[float]], digits: float
 ) -> None:
     np.testing.assert_allclose(cie.rgb_to_xyz_matrix(primaries, white), published, atol=digits)

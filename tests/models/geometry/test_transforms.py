@@ -39,7 +39,7 @@ def test_points_on_the_line_sent_to_infinity_have_no_image() -> None:
     assert images[3] == pytest.approx((2, -3))
 
 
-def test_sign_of_w_differs_on_the_two_sides_of_that_line() -> None:
+def test_sign_of_w_differs_on_both_sides_of_the_line_sent_to_infinity() -> None:
     points = [(0, 0), (-2, 0), (-1, 5), (-1 + 1e-13, 0), (math.inf, 0), (math.nan, 0)]
     assert transforms.sign_of_w(TILTED, points).tolist() == [1, -1, 0, 0, 0, 0]
     assert transforms.sign_of_w(-1e200 * TILTED, points).tolist() == [-1, 1, 0, 0, 0, 0]

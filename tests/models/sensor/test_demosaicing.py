@@ -117,7 +117,7 @@ CURVES = camera_curves(WAVELENGTHS_NM)
 PATCHES = np.stack([chart_patch(name) for name in CHART])
 
 
-def test_camera_curves_agree_with_the_measured_ones() -> None:
+def test_camera_curves_agree_with_measured_curves() -> None:
     measured = on_grid(measurements.MSDS_CAMERA_SENSITIVITIES["Nikon 5100 (NPL)"])
     off = CURVES - measured
     assert np.abs(off).max() < 0.05
