@@ -114,14 +114,14 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             if count := left_out(book):
                 print(f"{count} questions about figures are left out; they need --address")
         case "bench":
-            from site_builder.assets.pages import write_scripts
+            from site_builder.assets.page_assets import write_scripts
             from site_builder.benchmarks.measuring import bench, measure_errors
 
             if given.errors:
                 return measure_errors(ROOT, given.ladder)
             return bench(ROOT, given.ladder, write_scripts)
         case "guide":
-            from site_builder.guide.pages import run_guide
+            from site_builder.guide.generator import run_guide
 
             place = None if given.build_only else (given.host, given.port)
             return run_guide(place, runtime=given.runtime)

@@ -20,7 +20,7 @@ from site_builder.assets.browser_parts import (
     pack_for_browser,
     scene_files,
 )
-from site_builder.assets.pages import (
+from site_builder.assets.page_assets import (
     NOW,
     Files,
     gather_assets,
@@ -44,8 +44,8 @@ from site_builder.files.folders import file_hash
 from site_builder.files.text import Sources
 from site_builder.output.writer import write_site
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.page import Site
 from site_builder.pages.render import render_pages
+from site_builder.pages.single_page import Site
 from site_builder.pages.views.question import catalogue
 from site_builder.photographs import credits_of
 from site_builder.publishing.hosting import (
@@ -142,13 +142,13 @@ def render_site(options: Options) -> Files:
     with ThreadPoolExecutor() as threads:
         loaded = load(options)
         bundle = threads.submit(_pack, loaded.book, options)
-        checked = check(loaded, options)
+        checked = check_loaded(loaded, options)
         return assemble(render(checked, options, bundle.result(), threads))
 
 
 def check_site(options: Options) -> CheckedBook:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
-    return check(load(options), options)
+    return check_loaded(load(options), options)
 
 
 def load(options: Options) -> LoadedBook:
@@ -158,7 +158,7 @@ def load(options: Options) -> LoadedBook:
     return LoadedBook(book, sources)
 
 
-def check(loaded: LoadedBook, options: Options) -> CheckedBook:
+def check_loaded(loaded: LoadedBook, options: Options) -> CheckedBook:
     """Raises `BuildError` with all mistakes found."""
     book, sources = loaded
     problems = sources.problems

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
-from site_builder.assets.pages import Files
+from site_builder.assets.page_assets import Files
 from site_builder.cache.results import cached_result
 from site_builder.diagnostics.blame import place_of
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic

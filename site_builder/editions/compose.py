@@ -11,7 +11,7 @@ import numpy as np
 
 from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import Panel
-from site_builder.assets.pages import Files, gather_assets
+from site_builder.assets.page_assets import Files, gather_assets
 from site_builder.build import Options, check_site
 from site_builder.document.book import Book, Chapter
 from site_builder.editions.tree import elements, parse
@@ -21,7 +21,7 @@ from site_builder.files.folders import address_of
 from site_builder.languages.words import Words
 from site_builder.pages.back_matter import BACK_MATTER, back_matter_pages
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.page import Site, render_page
+from site_builder.pages.single_page import Site, render_page
 from site_builder.pages.views.question import numbered_quizzes
 from site_builder.pages.views.simulation import value_text
 from site_builder.render.screen import paper_renderer

@@ -15,9 +15,9 @@ from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.book import Chapter
 from site_builder.document.places import Formula, Need, Target, Targets
 from site_builder.files.text import CONTROL, unseen
-from site_builder.markdown.blocks import read_page
+from site_builder.markdown.annotation import annotate, inline_passage
+from site_builder.markdown.block_tree import read_page
 from site_builder.markdown.glossary import mark_terms
-from site_builder.markdown.inline import annotate, inline_passage
 from site_builder.markdown.numbering import number_targets
 from site_builder.markdown.parse_context import PAGE_IDS, ParseContext
 
@@ -133,8 +133,8 @@ def _line_of(node: yaml.Node) -> int:
 
 
 @dataclass(frozen=True, slots=True)
-class Draft:
-    """A chapter that is parsed and numbered, its words not yet looked at."""
+class ParsedChapter:
+    """A chapter with its tokens and numbers, before roles and directives are read."""
 
     tokens: Sequence[Token]
     matter: FrontMatter
@@ -143,7 +143,7 @@ class Draft:
     context: ParseContext
 
 
-def parse_chapter(text: str, context: ParseContext) -> Draft:
+def parse_chapter(text: str, context: ParseContext) -> ParsedChapter:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
     tokens = context.shared.parser.parse(text, context.env)
     for line, message in context.env.pop("problems", ()):
@@ -153,26 +153,27 @@ def parse_chapter(text: str, context: ParseContext) -> Draft:
     matter = read_front_matter(tokens, context)
     position, name = context.position, context.chapter
     target = Target(position.kind, name, "", position.mark, matter.title, 1, name=position.name)
-    return Draft(tokens, matter, target, number_targets(tokens, name, context), context)
+    return ParsedChapter(tokens, matter, target, number_targets(tokens, name, context), context)
 
 
 @dataclass(frozen=True, slots=True)
-class Survey:
-    """What other chapters may refer to in one."""
+class ChapterTargets:
+    """The targets of one chapter: all that other chapters may refer to."""
 
     path: str
     target: Target
     inside: tuple[Target, ...]
 
 
-def survey(draft: Draft) -> Survey:
-    return Survey(draft.context.path, draft.target, draft.inside)
+def chapter_targets(parsed: ParsedChapter) -> ChapterTargets:
+    """The targets that numbering found."""
+    return ChapterTargets(parsed.context.path, parsed.target, parsed.inside)
 
 
-def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
+def find_targets(chapters: Sequence[ChapterTargets], problems: Diagnostics) -> Targets:
     """What references may lead to. Two of one label in different chapters are reported."""
     first: dict[str, tuple[Target, str]] = {}
-    for found in surveys:
+    for found in chapters:
         for target in found.inside:
             if not target.labelled:
                 continue
@@ -181,29 +182,29 @@ def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
                 message = f"duplicate label {target.id!r}; first used at {path}:{other.line}"
                 problems.add(found.path, target.line, message)
     return Targets(
-        {found.target.chapter: found.target for found in surveys},
-        {found.target.chapter: found.inside for found in surveys},
+        {found.target.chapter: found.target for found in chapters},
+        {found.target.chapter: found.inside for found in chapters},
     )
 
 
-def read_chapter(draft: Draft, targets: Targets) -> Chapter:
+def read_chapter(parsed: ParsedChapter, targets: Targets) -> Chapter:
     """The whole chapter; mistakes are reported and reading goes on."""
-    context = draft.context
+    context = parsed.context
     context.targets = targets
-    annotate(draft.tokens, context)
-    mark_terms(draft.tokens, context)
-    body = read_page(draft.tokens, context)
+    annotate(parsed.tokens, context)
+    mark_terms(parsed.tokens, context)
+    body = read_page(parsed.tokens, context)
     before = tuple(
         Need(inline_passage(entry.text, entry.line, context), entry.chapter, entry.line)
-        for entry in draft.matter.before
+        for entry in parsed.matter.before
     )
-    after = tuple(inline_passage(entry.text, entry.line, context) for entry in draft.matter.after)
+    after = tuple(inline_passage(entry.text, entry.line, context) for entry in parsed.matter.after)
     return Chapter(
         position=context.position,
         id=context.chapter,
         path=context.path,
-        title=draft.matter.title,
-        summary=draft.matter.summary,
+        title=parsed.matter.title,
+        summary=parsed.matter.summary,
         body=body,
         headings=tuple(context.headings),
         anchors=frozenset(context.ids) - set(PAGE_IDS),
@@ -211,13 +212,13 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         citations=tuple(context.citations),
         term_uses=tuple(context.term_uses),
         index_marks=tuple(context.index_marks),
-        formulae=tuple(_formula(*found, draft) for found in context.formulae),
+        formulae=tuple(_formula(*found, parsed) for found in context.formulae),
         before=before,
         after=after,
         figures=tuple(place.id for place in context.figures),
     )
 
 
-def _formula(line: int, tex: str, displayed: bool, draft: Draft) -> Formula:
-    above = [item.id for item in draft.inside if item.kind == "Section" and item.line <= line]
+def _formula(line: int, tex: str, displayed: bool, parsed: ParsedChapter) -> Formula:
+    above = [item.id for item in parsed.inside if item.kind == "Section" and item.line <= line]
     return Formula(tex, line, above[-1] if above else "", displayed=displayed)

@@ -7,8 +7,8 @@ from markdown_it.token import Token
 
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Definition, IndexMark, Meaning, Passage, TermUse
+from site_builder.markdown.annotation import inline_passage
 from site_builder.markdown.directive import Directive, DirectiveCall
-from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.roles.references import term_link
 from site_builder.markdown.text.symbols import spelt

@@ -9,7 +9,7 @@ from markdown_it import MarkdownIt
 
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
-from site_builder.benchmarks.readouts import Readouts
+from site_builder.benchmarks.quoted_numbers import Readouts
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.document.places import (
     Citation,

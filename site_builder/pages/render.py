@@ -19,8 +19,8 @@ from site_builder.pages.back_matter import back_matter_pages, card, titled
 from site_builder.pages.embeds import embeds
 from site_builder.pages.environment import FOLDERS
 from site_builder.pages.licences import Licence
-from site_builder.pages.page import Site, render_page
 from site_builder.pages.policy import json_for_html
+from site_builder.pages.single_page import Site, render_page
 from site_builder.pages.views.question import class_data
 from site_builder.pages.views.simulation import thumbnail
 from site_builder.references.bibliography import NO_WORKS

@@ -17,7 +17,7 @@ from site_builder.files.folders import address_of, bytes_hash, integrity
 from site_builder.output.writer import Content, content_bytes
 from site_builder.pages.embeds import EMBED_FOLDER
 from site_builder.pages.environment import render_template
-from site_builder.pages.page import page_address
+from site_builder.pages.single_page import page_address
 from site_builder.raw.decoder import FOLDER
 
 PACKED = frozenset((".png", ".jpg", ".jpeg", ".webp", ".woff2", ".gz", ".br"))

@@ -21,7 +21,7 @@ from site_builder.markdown.directives.pictures import DrawnIllustration
 from site_builder.output.fonts import FACES, Face, source_file
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.pages.environment import render_template
-from site_builder.pages.page import BOOK_CARD, card_path
+from site_builder.pages.single_page import BOOK_CARD, card_path
 
 if TYPE_CHECKING:
     from PIL.ImageFont import FreeTypeFont

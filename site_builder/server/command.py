@@ -16,7 +16,7 @@ from pathlib import Path
 import uvicorn
 from watchfiles import Change, awatch
 
-from site_builder.assets.pages import NOW, STYLE_SHEET
+from site_builder.assets.page_assets import NOW, STYLE_SHEET
 from site_builder.diagnostics.diagnostic import END
 from site_builder.files.engine import ENGINE, STATIC
 from site_builder.files.folders import folder_files, replace_file

@@ -1,5 +1,4 @@
-"""Reading ``content/``: the chapters of the outline, surveyed for what others may refer to and then
-read, and what they are read with."""
+"""Read the book from ``content/``: first the targets of all chapters, then each chapter whole."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping
@@ -19,16 +18,16 @@ from site_builder.document.places import Passage, Position, Target, Targets, cha
 from site_builder.files.engine import ENGINE
 from site_builder.files.folders import file_hash, folder_files, folder_hash
 from site_builder.files.text import Sources
+from site_builder.markdown.annotation import inline_passage
 from site_builder.markdown.chapter import (
-    Draft,
-    Survey,
+    ChapterTargets,
+    ParsedChapter,
+    chapter_targets,
     find_targets,
     parse_chapter,
     read_chapter,
-    survey,
 )
 from site_builder.markdown.glossary import read_definitions, read_meanings
-from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 from site_builder.pool.loading import loaded
@@ -53,7 +52,7 @@ from site_builder.sources.outline import (
 
 
 @dataclass(slots=True)
-class ChapterFile:
+class ChapterSource:
     path: str
     """Relative to the root of the project."""
     text: str
@@ -61,12 +60,14 @@ class ChapterFile:
     shared: Shared
     state: bytes
     """Hash of what is shared, and of all files that a chapter may show or run, besides chapters."""
-    _draft: Draft | None = field(default=None, init=False)
-    """Parsed already, and not yet read: reading changes it."""
+    _parsed_chapter: ParsedChapter | None = field(default=None, init=False)
+    """Parsed but not yet read; reading changes it."""
 
-    def survey(self) -> Survey:
-        """What others may refer to in it; its mistakes are reported when it is read."""
-        return cached_result("survey", self._given(), lambda: survey(self._parsed()))
+    def chapter_targets(self) -> ChapterTargets:
+        """The targets of the chapter; its mistakes are reported by `read`."""
+        return cached_result(
+            "chapter targets", self._given(), lambda: chapter_targets(self._parsed())
+        )
 
     def read(self, targets: Targets, state: bytes, problems: Diagnostics) -> Chapter:
         """The whole chapter; mistakes go to ``problems`` and reading goes on. ``state``:
@@ -74,10 +75,10 @@ class ChapterFile:
         key = hash_of(self._given(), state)
 
         def read(own: Diagnostics) -> Chapter:
-            draft, self._draft = self._parsed(), None
-            chapter = read_chapter(draft, targets)
-            own.found.extend(draft.context.problems.found)
-            own.doubts.extend(draft.context.problems.doubts)
+            parsed, self._parsed_chapter = self._parsed(), None
+            chapter = read_chapter(parsed, targets)
+            own.found.extend(parsed.context.problems.found)
+            own.doubts.extend(parsed.context.problems.doubts)
             return replace(chapter, cache_key=key)
 
         return cached_reading("chapter", (key, self.shared.load_scene), problems, read)
@@ -85,8 +86,8 @@ class ChapterFile:
     def _given(self) -> tuple[object, ...]:
         return self.state, self.path, self.text, self.position
 
-    def _parsed(self) -> Draft:
-        if self._draft is None:
+    def _parsed(self) -> ParsedChapter:
+        if self._parsed_chapter is None:
             context = ParseContext(
                 self.path,
                 self.shared,
@@ -94,8 +95,8 @@ class ChapterFile:
                 chapter=chapter_id(self.path),
                 position=self.position,
             )
-            self._draft = parse_chapter(self.text, context)
-        return self._draft
+            self._parsed_chapter = parse_chapter(self.text, context)
+        return self._parsed_chapter
 
 
 def _targets_state(targets: Targets) -> bytes:
@@ -129,7 +130,7 @@ def read_book(
     settings, words = outline.settings, outline.words
     shared = _read_shared(sources, outline, load_scene, measurements)
     pages = list(_list_pages(outline, shared, sources))
-    targets = find_targets([page.survey() for page in pages], problems)
+    targets = find_targets([page.chapter_targets() for page in pages], problems)
     known = _targets_state(targets)
     check_addresses(outline, problems)
     check_boxes(outline, problems)
@@ -186,7 +187,7 @@ def _read_shared(
     )
 
 
-def _list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[ChapterFile]:
+def _list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[ChapterSource]:
     """The chapters' files."""
     problems, state_of = sources.problems, _states(sources.root, outline)
     for name, line, position in outline.chapters:
@@ -199,7 +200,7 @@ def _list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[
         # A number in front is for the listing of the folder; it means nothing.
         if not re.fullmatch(r"(\d+-)?[a-z0-9]+(-[a-z0-9]+)*", name):
             problems.add(OUTLINE, line, f"chapter {name!r}; legal: 'NN-slug'")
-        yield ChapterFile(path, sources.text(path), position, shared, state_of(path))
+        yield ChapterSource(path, sources.text(path), position, shared, state_of(path))
 
 
 def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:

@@ -11,7 +11,7 @@ from typing import Any
 from support.places import ROOT
 
 from site_builder.benchmarks.measuring import write
-from site_builder.benchmarks.readouts import DATA
+from site_builder.benchmarks.quoted_numbers import DATA
 
 SITE = ROOT / "build" / "site"
 """The built book, which all tools of this folder measure."""

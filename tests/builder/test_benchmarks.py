@@ -32,9 +32,9 @@ from site_builder.benchmarks.judgements import (
 )
 from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
 from site_builder.benchmarks.measuring import close, finite, merge, timing
-from site_builder.benchmarks.readouts import DATA as COSTS
-from site_builder.benchmarks.readouts import STAGE_DATA as DATA
-from site_builder.benchmarks.readouts import read_cost, read_stage_costs
+from site_builder.benchmarks.quoted_numbers import DATA as COSTS
+from site_builder.benchmarks.quoted_numbers import STAGE_DATA as DATA
+from site_builder.benchmarks.quoted_numbers import read_cost, read_stage_costs
 
 ABACUS, SLIDE_RULE = {"processor": "abacus"}, {"processor": "slide rule"}
 TIERS = toy_data()["ladders"]["toy"]["tiers"]

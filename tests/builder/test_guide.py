@@ -12,9 +12,9 @@ from support.html_outline import read_html
 from support.little_book import MakeBook
 
 from site_builder.build import render_site
-from site_builder.editions.notebooks.blocks import PARTS
+from site_builder.editions.notebooks.directive_cells import PARTS
 from site_builder.files.engine import ENGINE, STATIC
-from site_builder.guide.pages import NoExampleError, directive_page, guide_files, read_classes
+from site_builder.guide.generator import NoExampleError, directive_page, guide_files, read_classes
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.questions import QUIZ
 from site_builder.markdown.parser import OPENING

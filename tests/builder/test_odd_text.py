@@ -20,7 +20,7 @@ from support.static_server import serving
 
 from site_builder.build import Options
 from site_builder.diagnostics.diagnostic import Diagnostics
-from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
+from site_builder.markdown.chapter import chapter_targets, find_targets, parse_chapter, read_chapter
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.parser import make_parser
 
@@ -145,8 +145,8 @@ def assert_read_in_time(text: str) -> None:
     problems = Diagnostics()
     shared = Shared(ROOT, load_demo, make_parser())
     reading = ParseContext("content/00-first.md", shared, problems, chapter="first")
-    draft = parse_chapter(text, reading)
-    read_chapter(draft, find_targets([survey(draft)], problems))
+    parsed = parse_chapter(text, reading)
+    read_chapter(parsed, find_targets([chapter_targets(parsed)], problems))
     assert time.process_time() - before < LONGEST_S
     lines = text.count("\n") + 1
     for found in (*problems.found, *problems.doubts):

@@ -14,7 +14,7 @@ from PIL import Image
 from support.little_book import MakeBook
 from support.places import ROOT
 
-from site_builder.assets.pages import as_shown
+from site_builder.assets.page_assets import as_shown
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.output.scripts import bundle_scripts

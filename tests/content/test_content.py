@@ -20,7 +20,7 @@ from simulations.registry import LADDER_MODULES, load_ladder, load_scene
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import Measurements, read_measurements
 from site_builder.benchmarks.measuring import close, finite
-from site_builder.benchmarks.readouts import read_stage_costs
+from site_builder.benchmarks.quoted_numbers import read_stage_costs
 from site_builder.checks.whole_book import FEW_LETTERS
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.text import Sources

@@ -24,7 +24,7 @@ from simulations.engine.message import Message
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
-from site_builder.assets.pages import write_scripts
+from site_builder.assets.page_assets import write_scripts
 from site_builder.benchmarks.charts import linear_axis, log_axis
 from site_builder.benchmarks.judgements import milliseconds, with_unit
 from site_builder.formulae.temml import to_mathml

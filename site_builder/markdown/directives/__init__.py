@@ -1,11 +1,11 @@
 """Every directive, one file each or one for a family: ``:::{name} argument`` … ``:::``.
 
 A new one needs its file here, its template in ``templates/blocks/``, its name in this list, an
-example in ``guide/examples/``, and a function in ``editions/notebooks/blocks.py``. The template
-has ``paper`` where paper differs; ``plain`` gives its plain words, without which neither it nor the
-blocks inside it are searched or counted. Classes of ``static/css/shared.css`` come first, then
-rules in the file of its family; ``screen`` and ``scripted`` mark what paper, or a page without
-scripts, lacks.
+example in ``guide/examples/``, and a function in ``editions/notebooks/directive_cells.py``. The
+template has ``paper`` where paper differs; ``plain`` gives its plain words, without which neither
+it nor the blocks inside it are searched or counted. Classes of ``static/css/shared.css`` come
+first, then rules in the file of its family; ``screen`` and ``scripted`` mark what paper, or a page
+without scripts, lacks.
 """
 
 from typing import Any

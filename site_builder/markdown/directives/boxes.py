@@ -10,7 +10,8 @@ from markdown_it.token import Token
 
 from site_builder.document.blocks import Block
 from site_builder.document.places import Passage, Plain, passage
-from site_builder.markdown.blocks import BLOCKS, plain_tokens
+from site_builder.markdown.annotation import inline_passage
+from site_builder.markdown.block_tree import BLOCKS, plain_tokens
 from site_builder.markdown.directive import (
     LABEL,
     Argument,
@@ -19,7 +20,6 @@ from site_builder.markdown.directive import (
     DirectiveCall,
     Numbered,
 )
-from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.numbering import slug
 from site_builder.markdown.parse_context import ParseContext
 

@@ -15,12 +15,13 @@ from simulations.engine.hard_cases import (
 )
 from simulations.registry import hard_case_tables
 from site_builder.benchmarks.measurements import MeasuredLadder
-from site_builder.benchmarks.readouts import StageCosts, read_stage_costs
+from site_builder.benchmarks.quoted_numbers import StageCosts, read_stage_costs
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
 from site_builder.document.blocks import Prose
 from site_builder.document.places import Passage, Plain
-from site_builder.markdown.blocks import CAPTION, NO_BODY
+from site_builder.markdown.annotation import inline_passage
+from site_builder.markdown.block_tree import CAPTION, NO_BODY
 from site_builder.markdown.directive import (
     LABEL,
     Argument,
@@ -29,7 +30,6 @@ from site_builder.markdown.directive import (
     Numbered,
     OptionLine,
 )
-from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.pool.loading import loaded
 from site_builder.pool.processes import run_in_pool

@@ -12,7 +12,7 @@ from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
 from site_builder.document.places import Passage, Plain
-from site_builder.markdown.blocks import CAPTION
+from site_builder.markdown.block_tree import CAPTION
 from site_builder.markdown.content_files import PICTURES, Size, picture_size
 from site_builder.markdown.directive import (
     LABEL,

@@ -12,7 +12,7 @@ from markdown_it.token import Token
 
 from site_builder.document.blocks import Block, Prediction, Question, Quiz, Reveal
 from site_builder.document.places import Passage, Plain, passage
-from site_builder.markdown.blocks import BLOCKS, plain_tokens
+from site_builder.markdown.block_tree import BLOCKS, plain_tokens
 from site_builder.markdown.directive import (
     Argument,
     Body,

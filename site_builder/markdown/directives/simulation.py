@@ -10,7 +10,7 @@ from markdown_it.token import Token
 from site_builder.diagnostics.blame import CodeError
 from site_builder.document.blocks import Simulation
 from site_builder.document.places import Plain, passage
-from site_builder.markdown.blocks import plain_tokens
+from site_builder.markdown.block_tree import plain_tokens
 from site_builder.markdown.directive import (
     LABEL,
     Argument,

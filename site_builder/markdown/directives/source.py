@@ -11,7 +11,7 @@ from site_builder.document.blocks import Source
 from site_builder.document.places import Passage
 from site_builder.files.engine import own_or_engine
 from site_builder.files.folders import folder_files
-from site_builder.markdown.blocks import CAPTION
+from site_builder.markdown.block_tree import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 

@@ -30,7 +30,7 @@ from site_builder.benchmarks.measurements import (
     MeasurementError,
     Measurements,
 )
-from site_builder.benchmarks.readouts import Cost, ReadoutError, read_cost
+from site_builder.benchmarks.quoted_numbers import Cost, ReadoutError, read_cost
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.calculation import number_text

@@ -1,5 +1,5 @@
-"""A flat list of tokens to a tree of blocks: runs of prose, and what directives make, each checked
-against its declaration; and the bodies that several directives share."""
+"""Make a tree of blocks from a flat list of tokens: prose, and directives checked against their
+declarations. Also the bodies that several directives share."""
 
 import re
 from collections.abc import Sequence

@@ -1,8 +1,8 @@
-"""Numbers that pages look up: what figures show, and what pages and stages cost.
+"""Numbers quoted in chapters: readouts of figures, and measured costs of pages and stages.
 
 ``make bench`` writes ``content/costs.json``, times, bytes and memory: objects within objects, down
-to numbers whose names end in their unit, ``start.cold.book_ms``. What is said of the machine stands
-under ``machine``.
+to numbers whose names end in their unit, ``start.cold.book_ms``. The machine is described under
+``machine``.
 """
 
 import json
@@ -28,7 +28,7 @@ class ReadoutError(MeasurementError):
 
 @dataclass(frozen=True, slots=True)
 class Readouts:
-    """Asks scenes for their readouts, and remembers the frames."""
+    """Readouts of scenes; each frame is computed once."""
 
     load_scene: Callable[[str], Scene[Any]]
     frames: dict[tuple[str, str, object], Frame] = field(default_factory=dict)

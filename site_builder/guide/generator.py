@@ -1,6 +1,6 @@
 """``python -m site_builder guide``: write the guide as a book, then build or serve it.
 
-Some of its chapters are made of declarations: what there is stands in them, and nothing else can.
+Some chapters are generated from declarations, so they list exactly what exists.
 """
 
 import ast

@@ -1,4 +1,4 @@
-"""The cells of each directive."""
+"""Notebook cells for each directive."""
 
 import json
 import re

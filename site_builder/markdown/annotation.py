@@ -1,4 +1,4 @@
-"""One pass over a page's tokens: set formulae, gather links and headings, report the illegal."""
+"""Annotate a page's tokens: set formulae, gather links and headings, report mistakes."""
 
 import re
 from collections.abc import Callable, Mapping, Sequence

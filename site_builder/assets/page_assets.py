@@ -1,4 +1,4 @@
-"""What pages have beside them, in one folder: style sheets, scripts, fonts and pictures."""
+"""The assets of the pages, in one folder: style sheets, scripts, fonts and pictures."""
 
 from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
