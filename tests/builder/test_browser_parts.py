@@ -213,14 +213,14 @@ def one(optics):
 
 
 @pytest.fixture
-def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+def rewritable_modules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Two modules that readers may rewrite."""
     monkeypatch.setattr(definitions, "ROOMS", ("small",))
     with small_package(tmp_path, {"optics": OPTICS, "figure": FIGURE}):
         yield
 
 
-@pytest.mark.usefixtures("small")
+@pytest.mark.usefixtures("rewritable_modules")
 @pytest.mark.parametrize(
     ("name", "uses"),
     [

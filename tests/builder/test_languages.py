@@ -25,7 +25,7 @@ OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
 OF_THE_ENGINE = re.compile(r"""\bMessage\(\s*"([\w.-]+)""")
 OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
 QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
-MADE = (
+COMPOSED = (
     "labels.", "style.", "callout.", "landing.count_", "script.theme.", "script.figure.",
     "script.predict.", "script.runtime.", "script.stage_report.", "script.tools.python_copied",
     "script.search.found", "script.search.near", "script.exercise.",
@@ -68,7 +68,7 @@ def test_every_interface_text_exists_and_is_used() -> None:
     for file, text in sources():
         named = QUOTED.findall(text)
         used |= {SCRIPT + key if file.suffix == ".ts" else key for key in named} | set(named)
-    assert [key for key in keys if key not in used and not key.startswith(MADE)] == []
+    assert [key for key in keys if key not in used and not key.startswith(COMPOSED)] == []
 
 
 def forms(text: str | Mapping[str, str]) -> list[str]:

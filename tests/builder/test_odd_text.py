@@ -28,7 +28,7 @@ SCRIPT = "<script>alert(1)</script>"
 QUOTE = '"><img src=x onerror=alert(1)>'
 
 
-SHOWN = (
+MARKUP_AS_TEXT = (
     "&lt;script&gt;alert(1)&lt;/script&gt;",
     "`<script>alert(1)</script>`",
     "```text\n</code></pre><script>alert(1)</script>\n```",
@@ -59,7 +59,7 @@ FIELDS = {
 @pytest.fixture
 def full_of_markup(make_book: MakeBook) -> Options:
     """A valid book whose texts all look like markup."""
-    body = "{cite}`key` and Glossed.\n\n" + "\n\n".join(SHOWN)
+    body = "{cite}`key` and Glossed.\n\n" + "\n\n".join(MARKUP_AS_TEXT)
     return make_book(body + "\n", FIELDS)
 
 

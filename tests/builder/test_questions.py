@@ -125,7 +125,7 @@ def test_question_about_a_figure_has_its_link_and_a_solution(
 def test_export_without_an_address_has_no_links_or_figure_questions(book: Book) -> None:
     assert left_out(book) == 0
     book = replace(book, address="")
-    assert "set-it" not in [asked.quiz.id for asked in asked_in(book)]
+    assert "set-it" not in [item.quiz.id for item in asked_in(book)]
     assert left_out(book) == 1
     assert b"href" not in make_moodle(book)
 
@@ -134,8 +134,8 @@ def test_qti_package_lists_each_of_its_files_once(package: dict[str, str]) -> No
     manifest = ElementTree.fromstring(package["imsmanifest.xml"])
     listed = [file.get("href", "") for file in manifest.iter(f"{CP}file")]
     assert sorted([*listed, "imsmanifest.xml"]) == sorted(package)
-    asked = ElementTree.fromstring(package["test.xml"]).iter(f"{QTI}assessmentItemRef")
-    assert [each.get("href") for each in asked] == listed[1:]
+    items = ElementTree.fromstring(package["test.xml"]).iter(f"{QTI}assessmentItemRef")
+    assert [each.get("href") for each in items] == listed[1:]
 
 
 @pytest.mark.parametrize(

@@ -62,20 +62,20 @@ def test_gallery_figure_works_under_a_new_name(
     scene: Scene[Any] = vars(sys.modules[name])["SCENE"]
     assert (scene.id, scene.title) == ("my-figure", "My Figure")
 
-    def drawn(values: Mapping[str, Value]) -> Frame:
+    def frame_at(values: Mapping[str, Value]) -> Frame:
         return scene.render(scene.check(values), "", StageCache())
 
     for control in scene.controls:
         if not isinstance(control, Action):
-            frames = [content(drawn({control.name: end})) for end in control.extremes()]
-            assert any(frame != content(drawn({})) for frame in frames), control.name
+            frames = [content(frame_at({control.name: end})) for end in control.extremes()]
+            assert any(frame != content(frame_at({})) for frame in frames), control.name
     for handle in scene.handles:
         there = {
             c.name: c.nearest(0.4 * c.minimum + 0.6 * c.maximum)
             for c in scene.controls
             if isinstance(c, Slider) and c.name in handle.drives
         }
-        (place,) = drawn(there).handles
+        (place,) = frame_at(there).handles
         assert scene.pull(scene.check({}), handle.name, (place.x, place.y)) == pytest.approx(there)
 
 

@@ -19,8 +19,8 @@ from simulations.scenes.slanted_edge.scene import SCENE as SLANTED_EDGE
 CHAPTER = "07-sampling-and-aliasing"
 
 
-def _sharpness(**given: object) -> Sharpness:
-    found: Sharpness = outputs_of(SLANTED_EDGE, **given)["sharpness"]
+def _sharpness(**settings: object) -> Sharpness:
+    found: Sharpness = outputs_of(SLANTED_EDGE, **settings)["sharpness"]
     return found
 
 
@@ -42,21 +42,21 @@ def the_error_of_one_edge() -> Phrases:
 
 
 def halfway_between_two_samples() -> Phrases:
-    def given(count: int) -> float:
+    def value(count: int) -> float:
         n = np.arange(1 - count // 2, 1 + count // 2)
         return float(np.cos(0.4 * np.pi * n) @ np.sinc(0.5 - n))
 
     one, two = np.sinc([0.5, 1.5])
     wave = np.cos(0.4 * np.pi * np.arange(-1, 3))
-    yield f"{one:.3f} \\cdot {1 + wave[2]:.3f} = {given(2):.3f}$"
+    yield f"{one:.3f} \\cdot {1 + wave[2]:.3f} = {value(2):.3f}$"
     yield f"${two:.3f} \\cdot ({wave[0] + wave[3]:.1f}) = {two * (wave[0] + wave[3]):.3f}$"
-    yield f"which makes it worse: {given(4):.3f}. Six samples give {given(6):.3f}"
-    yield f"ten {given(10):.3f}, a hundred {given(100):.3f} and a thousand {given(1000):.3f}"
+    yield f"which makes it worse: {value(4):.3f}. Six samples give {value(6):.3f}"
+    yield f"ten {value(10):.3f}, a hundred {value(100):.3f} and a thousand {value(1000):.3f}"
     n = np.arange(-2, 4)
     weights = KERNELS["lanczos3"].weigh(0.5 - n)
     windowed = np.cos(0.4 * np.pi * n) @ weights / weights.sum()
     yield f"the sinc makes {windowed:.3f} of the six samples of the example above"
-    yield f"in place of {given(6):.3f}, where {np.cos(np.pi / 5):.3f} is right"
+    yield f"in place of {value(6):.3f}, where {np.cos(np.pi / 5):.3f} is right"
 
 
 def edges_and_waves_after_a_small_spot() -> Phrases:

@@ -17,9 +17,9 @@ pytestmark = pytest.mark.browser
 
 KEYS = ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown")
 CHAPTERS = sorted((ROOT / "content").glob("*.md"))
-SHOWS = re.compile(r"^:+\{simulation\} *([\w-]+)", re.MULTILINE)
-SHOWN = dict.fromkeys(
-    name for file in CHAPTERS for name in SHOWS.findall(file.read_text(encoding="utf-8"))
+DIRECTIVE = re.compile(r"^:+\{simulation\} *([\w-]+)", re.MULTILINE)
+SCENES = dict.fromkeys(
+    name for file in CHAPTERS for name in DIRECTIVE.findall(file.read_text(encoding="utf-8"))
 )
 """Scenes in the order of the book, so that a visit to all of them turns few pages."""
 SAMPLE = ("formation-pipeline", "lens-distortion", "wagon-wheel")
@@ -29,7 +29,7 @@ results are tested for all scenes, in `tests/scenes`."""
 
 @pytest.mark.parametrize(
     "scene",
-    [pytest.param(name, marks=[] if name in SAMPLE else pytest.mark.deep) for name in SHOWN],
+    [pytest.param(name, marks=[] if name in SAMPLE else pytest.mark.deep) for name in SCENES],
 )
 def test_every_control_and_handle_of_a_figure_responds(
     guest: Reader, book: Any, scene: str

@@ -200,7 +200,7 @@ def test_settings_answers_and_figures_survive_leaving_the_book_and_back(
             forbidden = ["--disable-back-forward-cache"]
             options = {"executable_path": full_chromium, "ignore_default_args": forbidden}
             browser = end.enter_context(launch("--js-flags=--liftoff-only", **options))
-        reader = end.enter_context(visit(browser, server, f"{TELL}; {SAVE_DATA}"))
+        reader = end.enter_context(visit(browser, server, f"{RECORD_SHOW}; {SAVE_DATA}"))
         page = reader.page
         under_way = requests_under_way(page)
         with step("a figure is set and questions are answered"):
@@ -239,7 +239,7 @@ def test_settings_answers_and_figures_survive_leaving_the_book_and_back(
             reader.press(figure, "PageDown")
 
 
-TELL = "addEventListener('pageshow', ({persisted}) => { window.persisted = persisted; })"
+RECORD_SHOW = "addEventListener('pageshow', ({persisted}) => { window.persisted = persisted; })"
 TRIES = 3
 """A browser on a busy machine may decide not to keep a page."""
 WHY_NOT = "JSON.stringify(performance.getEntriesByType('navigation')[0].notRestoredReasons)"

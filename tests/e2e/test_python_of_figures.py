@@ -68,7 +68,7 @@ class Workshop:
         self.reader.press(self.figure, key)
         return self.content()
 
-    def drawn(self) -> Any:
+    def content_of_browser(self) -> Any:
         """The figure's content drawn by the browser, which may differ from the page's by a code."""
         self.reader.scroll_to(self.figure)
         self.move("ArrowRight")
@@ -94,7 +94,7 @@ def test_edited_code_draws_only_its_own_figure_until_it_is_put_back(
     """The first edit is made only by keyboard."""
     edited, other = workshops
     page, figure = edited.page, edited.figure
-    others, book = other.drawn(), edited.drawn()
+    others, book = other.content_of_browser(), edited.content_of_browser()
     focused = "what => document.activeElement.matches(what)"
     with step("a part is opened by keyboard"):
         figure.locator(".open-python").press("Enter")
@@ -243,7 +243,7 @@ def test_endless_code_is_stopped_and_the_figure_runs_the_books_code(
 ) -> None:
     shop, other = workshops
     page, figure = shop.page, shop.figure
-    book = shop.drawn()
+    book = shop.content_of_browser()
     shop.open()
     assert shop.stop.get_attribute("aria-disabled") == "true"
     usual = page.evaluate(LIMIT, {"ms": 500, "times": 0})

@@ -99,10 +99,10 @@ def order_of(form: Locator) -> list[int]:
 @pytest.mark.deep
 def test_every_figure_question_is_solved_by_its_solution(visitor: Reader, book: Any) -> None:
     for place in book["chapters"]:
-        asked = questions(book, "figure", place["id"])
-        if asked:
+        quizzes = questions(book, "figure", place["id"])
+        if quizzes:
             visitor.turn_to(place["url"])
-        for quiz in asked:
+        for quiz in quizzes:
             form = form_of(visitor, quiz)
             check(form, "wrong")
             assert form.locator(".explanation").inner_text()
@@ -259,9 +259,9 @@ def test_progress_files_of_a_class_become_a_table_without_uploads(
     """Answers to another edition of a question do not count."""
     page = plain_reader.page
     plain_reader.open("class/", live=False)
-    asked = json.loads(page.locator(".class-data").text_content() or "")
-    choice = next(each for each in asked if each["kind"] == "single")
-    number = next(each for each in asked if each["kind"] == "number")
+    quizzes = json.loads(page.locator(".class-data").text_content() or "")
+    choice = next(each for each in quizzes if each["kind"] == "single")
+    number = next(each for each in quizzes if each["kind"] == "number")
     options = [option["correct"] for option in choice["options"]]
     right, trap = options.index(True), options.index(False)
     files = [tmp_path / f"=Student {who}.json" for who in range(11)]

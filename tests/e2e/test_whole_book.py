@@ -79,7 +79,7 @@ def test_each_chapter_is_complete_live_and_grades_its_answers(reader: Reader, bo
     assert page.evaluate("window.stays")
     page.reload()
     assert page.evaluate(HEAD) == heads[-2]
-    for name, kept, verdict, explanation in page.evaluate(KEPT):
+    for name, kept, verdict, explanation in page.evaluate(STORED_ANSWERS):
         assert (kept, verdict) == (True, "correct"), name
         assert explanation, name
 
@@ -173,7 +173,7 @@ GUESS = """(form, right) => {
   return [before, form.dataset.answered, answers.length - seen()];
 }"""
 """Numbers of answers visible before the guess and hidden after it, and the verdict between them."""
-KEPT = """() => [...document.querySelectorAll('form.quiz, form[data-predict]')]
+STORED_ANSWERS = """() => [...document.querySelectorAll('form.quiz, form[data-predict]')]
   .filter((form) => form.querySelector('input:not([data-move])') && !form.dataset.figure
     && !form.querySelector('.order-item'))
   .map((form) => [form.id, 'answered' in form.dataset, form.dataset.answered,

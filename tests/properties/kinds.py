@@ -97,8 +97,8 @@ def interval(closed_low: bool, low: float, high: float, closed_high: bool) -> Ki
     def draw(rng: Rng) -> float:
         any_size = float(rng.choice([1.0, -1.0]) * 10.0 ** rng.uniform(-20, 20))
         near = float(rng.uniform(max(low, middle - 5.0), min(high, middle + 5.0)))
-        drawn = (legal[rng.integers(len(legal))], any_size, near)[rng.integers(3)]
-        return drawn if inside(drawn) else middle
+        found = (legal[rng.integers(len(legal))], any_size, near)[rng.integers(3)]
+        return found if inside(found) else middle
 
     ends = {low: closed_low, high: closed_high}
     steps = zip(ends.items(), (-INF, INF), strict=True)
@@ -174,13 +174,13 @@ def any_direction(length: int, illegal: Sequence[Any]) -> Kind:
     return Kind(np.array([0.6, 0.1, -0.3, 0.2])[:length], draw, list(np.eye(length)), illegal)
 
 
-def drawn(make: Callable[[Rng], Any], *ends: Any, no: Sequence[Any] = ()) -> Kind:
+def sampled(make: Callable[[Rng], Any], *ends: Any, no: Sequence[Any] = ()) -> Kind:
     return Kind(make(np.random.default_rng(0)), make, ends, no)
 
 
 def picture(*shape: int) -> Kind:
     """Light of 0 to 1 in float32."""
-    return drawn(lambda rng: rng.random(shape, np.float32))
+    return sampled(lambda rng: rng.random(shape, np.float32))
 
 
 FINITE = interval(False, -INF, INF, False)
@@ -212,12 +212,12 @@ KINDS: dict[str, Kind] = {
     "any": ANY,
     "finite": FINITE,
     "angle": interval(True, -10.0, 10.0, True),
-    "rng": drawn(lambda rng: rng),
+    "rng": sampled(lambda rng: rng),
     "shape": some((2, 3)),
     "two": some((0.5, 0.25), (1e200, -1e-300), no=[(NAN, 0.0), (0.0, INF)]),
     "sequence": some("ZYX", "xyz", "zxz", "XYX", no=["", "xy", "xxy", "xYz", "abc", "zYX"]),
     "moving sequence": some("ZYX", "XYX", no=["", "xyz", "ZYY", "zYX"]),
-    "rotation": drawn(
+    "rotation": sampled(
         lambda rng: rotations.exponential(rng.normal(size=3)),
         I3 + 0.9e-6 * np.eye(3, k=1),
         no=DRIFTED,
@@ -243,9 +243,11 @@ KINDS: dict[str, Kind] = {
     "curves": some(np.stack([SPECTRUM] * 3, axis=1)),
     "glass": some(Glass(), Glass(10.0, 1.0), Glass(1.1, INF)),
     "singlet": some(Singlet(1 / 40, -1 / 40, 10.0, 1.5), Singlet(0.02, 0.01, 3.0, 1.8)),
-    "distortion": drawn(lambda rng: Distortion(*rng.uniform(-0.3, 0.3, 8) * rng.integers(0, 2, 8))),
-    "fisheye": drawn(lambda rng: Fisheye(*rng.uniform(-0.1, 0.1, 4))),
-    "profile": drawn(lambda rng: RadialProfile((rng.uniform(-0.3, 0.3), 0.1), (0.05,))),
+    "distortion": sampled(
+        lambda rng: Distortion(*rng.uniform(-0.3, 0.3, 8) * rng.integers(0, 2, 8))
+    ),
+    "fisheye": sampled(lambda rng: Fisheye(*rng.uniform(-0.1, 0.1, 4))),
+    "profile": sampled(lambda rng: RadialProfile((rng.uniform(-0.3, 0.3), 0.1), (0.05,))),
     "coefficients": some((0.1, -0.2), (1e9, -1e9), no=NO_COEFFICIENT),
     "solid": some(Sphere((0.0, 0.0, 3.0), 1.0), Box((0, 0, 2), (1, 1, 1), 0.7)),
     "place": some(
@@ -328,7 +330,7 @@ KINDS: dict[str, Kind] = {
     "homography": some(KEYSTONE, 1e-300 * KEYSTONE, no=[0 * I3, *changed_somewhere(I3, NAN, INF)]),
     "mild homography": some(I3, KEYSTONE, no=[np.diag([0.0, 1.0, 1.0])]),
     "segments": some(SEGMENTS, no=[SEGMENTS[:1], [np.zeros((2, 2)), *SEGMENTS]]),
-    "unit quaternion": drawn(lambda rng: quaternions.normalise(rng.normal(size=4))),
+    "unit quaternion": sampled(lambda rng: quaternions.normalise(rng.normal(size=4))),
     "rotation shape": some(I3, TURN, no=[np.eye(2)]),
     "seen": some((0.5, 0.25), no=[(NAN, 0.0)]),
     "layer": some(
@@ -346,7 +348,7 @@ KINDS: dict[str, Kind] = {
     "corners": some(np.arange(12.0).reshape(3, 4), no=[*ones((1, 4), (4, 1, 3), (5,))]),
     "normal corners": some(np.broadcast_to(UP, (3, 4, 3))),
     "grid size": some(4, 2, no=[1, 0]),
-    "plane normals": drawn(lambda rng: turned(rng.uniform(0, 7, 2))),
+    "plane normals": sampled(lambda rng: turned(rng.uniform(0, 7, 2))),
     "directions": some(np.array([UP, (0.6, 0.0, 0.8)]), no=[np.ones((4, 2))]),
     "margin": some(
         np.linspace(-2.0, 2.0, 12).reshape(3, 4),
@@ -436,7 +438,7 @@ KINDS: dict[str, Kind] = {
     ),
     "patches": some(np.array([(0.4, 0.2, 0.0), (0.3, 0.7, 0.1), (0.2, 0.1, 0.9)])),
     "white": some((0.95, 1.0, 1.09)),
-    "mosaic": drawn(
+    "mosaic": sampled(
         lambda rng: rng.random((6, 6)),
         np.ones((1, 3)),
         np.ones((1, 1)),
@@ -461,7 +463,7 @@ KINDS: dict[str, Kind] = {
     "highest": some(255, 4095),
     "counts": some([3, 4, 9], [0], no=[[], [1.0, NAN]]),
     "count": some(3, 1, no=[0, -2]),
-    "detailed": drawn(
+    "detailed": sampled(
         lambda rng: rng.random((6, 7, 3)),
         np.ones((3, 3, 3)),
         no=[

@@ -71,7 +71,7 @@ ICC = b"".join(b"\xff\xe2" + struct.pack(">H", 65_402) + bytes(65_400) for _ in 
 BEYOND = entry(0x010F, 2, 12, 9_999_999)
 """A text whose offset lies outside the file."""
 BOMB = tiff_of(*[entry(0x8769, 4, 1, 12_022)] * 1000, data=struct.pack("<H", 1000) + bytes(48_000))
-ODD: dict[str, tuple[bytes, dict[str, float | str]]] = {
+ODD_FILES: dict[str, tuple[bytes, dict[str, float | str]]] = {
     "a damaged entry before a sound one": (jpeg_of(tiff_of(BEYOND, ISO_400)), {"iso": 400.0}),
     "a type that is unknown": (jpeg_of(tiff_of(entry(1, 99, 9, 9), ISO_400)), {"iso": 400.0}),
     "a sensitivity of more than two bytes": (
@@ -91,7 +91,7 @@ ODD: dict[str, tuple[bytes, dict[str, float | str]]] = {
 }
 
 
-@pytest.mark.parametrize(("head", "facts"), ODD.values(), ids=ODD)
+@pytest.mark.parametrize(("head", "facts"), ODD_FILES.values(), ids=ODD_FILES)
 def test_odd_and_hostile_headers_give_their_valid_facts_within_a_second(
     head: bytes, facts: dict[str, float | str]
 ) -> None:

@@ -135,8 +135,8 @@ def test_readings_replace_the_books_pictures_in_all_results() -> None:
         frame = json.loads(browser.render(FIGURE, "s", "{}", "").meta)
         assert frame["readouts"][0]["text"] == shown
     assert browser.export(*REQUEST, "mean") == "mean 20"
-    told = json.loads(browser.sheet(*REQUEST))
-    assert (told["lines"][0]["text"], told["measured"]) == ("20.00", None)
+    sheet = json.loads(browser.sheet(*REQUEST))
+    assert (sheet["lines"][0]["text"], sheet["measured"]) == ("20.00", None)
     made = browser.develop(*REQUEST, picture(40))
     np.testing.assert_array_equal(made, [[[80, 80, 80, 255]] * 2])
     with pytest.raises(KeyError, match="export 'yaml'; legal: mean"):

@@ -140,13 +140,13 @@ def test_forgotten_figure_loses_only_its_cache(
     use: Callable[..., Scene[Any]],
 ) -> None:
     use(**SHADED, stages=STAGES)
-    asked = ("figure-1", "s", '{"size": 99}', "no such tier")
-    reply = browser.render(*asked)
+    request = ("figure-1", "s", '{"size": 99}', "no such tier")
+    reply = browser.render(*request)
     assert json.loads(reply.meta)["description"] == "Size 2, fine of 2."
     assert reply.rasters == ()
     browser.forget("figure-1")
     browser.forget("figure-1")
-    assert browser.render(*asked) == reply
+    assert browser.render(*request) == reply
 
 
 @pytest.mark.parametrize(

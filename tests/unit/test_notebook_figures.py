@@ -41,10 +41,10 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         Panel("plan", "A < B", 400, 300, overlay=line((0, 0), (9, 9), "ray")),
         Panel("picture", "", 400, 200, raster=raster, pixelated=True, lead=True),
     )
-    said = f"{settings.size} {settings.kind} {settings.on} {settings.again}"
+    description = f"{settings.size} {settings.kind} {settings.on} {settings.again}"
     numbers = (readout("size", "Size", settings.size, "px"),)
     sound = Sound(np.full(settings.size, -0.5, np.float32), 8000)
-    return Frame(panels, numbers, said, sound=sound)
+    return Frame(panels, numbers, description, sound=sound)
 
 
 SCENE = Scene(

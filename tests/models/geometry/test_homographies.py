@@ -81,17 +81,17 @@ def test_decomposition_follows_its_documented_order() -> None:
 
 
 RNG = np.random.default_rng(7)
-SEEN = np.array([(32.0, 15.0), (610.0, 60.0), (580.0, 500.0), (-12.0, 430.0)])
+IMAGES = np.array([(32.0, 15.0), (610.0, 60.0), (580.0, 500.0), (-12.0, 430.0)])
 
 
 @pytest.mark.parametrize(
     ("before", "after"), [(1e-9, 1e9), (1e9, 1e-9), (1e-90, 1e-90), (1e90, 1e90)]
 )
 def test_homography_is_estimated_in_any_units(before: float, after: float) -> None:
-    source, target = CORNERS * before, SEEN * after
+    source, target = CORNERS * before, IMAGES * after
     H, valid = estimation.estimate_homography(source, target)
     assert valid
-    assert apply_homography(H, source)[0] / after == pytest.approx(SEEN, rel=1e-9)
+    assert apply_homography(H, source)[0] / after == pytest.approx(IMAGES, rel=1e-9)
 
 
 def test_noisy_similarity_and_rigid_estimates_agree_with_scikit_image() -> None:
@@ -134,10 +134,10 @@ THREE_ON_A_LINE = np.array([(0.0, 0), (1, 0), (2, 0), (0, 1)])
 @pytest.mark.parametrize(
     ("source", "target"),
     [
-        pytest.param(CORNERS[:3], SEEN[:3], id="too few"),
-        pytest.param(np.outer(np.arange(4.0), [1, 2]), SEEN, id="on one line"),
-        pytest.param(np.ones((4, 2)), SEEN, id="coincident"),
-        pytest.param(THREE_ON_A_LINE, SEEN, id="three on one line"),
+        pytest.param(CORNERS[:3], IMAGES[:3], id="too few"),
+        pytest.param(np.outer(np.arange(4.0), [1, 2]), IMAGES, id="on one line"),
+        pytest.param(np.ones((4, 2)), IMAGES, id="coincident"),
+        pytest.param(THREE_ON_A_LINE, IMAGES, id="three on one line"),
         pytest.param(THREE_ON_A_LINE, THREE_ON_A_LINE, id="many maps keep a line and a point"),
         pytest.param(
             np.array([(0.0, 0), (1, 0), (2, 1), (0, 1), (3, 5)]),

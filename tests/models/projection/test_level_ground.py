@@ -21,13 +21,13 @@ RNG = np.random.default_rng(5)
 FLOOR = RNG.uniform((-2, 3), (4, 9), (20, 2))
 
 
-def seen(points: Floats, pose: Floats = POSE) -> Floats:
+def image(points: Floats, pose: Floats = POSE) -> Floats:
     pixels, valid = pinhole.project(pinhole.world_to_camera(points, pose), K)
     assert valid.all()
     return pixels
 
 
-def raised(height: float) -> Floats:
+def points_at(height: float) -> Floats:
     return np.column_stack([FLOOR, np.full(len(FLOOR), height)])
 
 
@@ -44,14 +44,17 @@ def test_pose_composes_yaw_pitch_and_roll() -> None:
 def test_ground_homography_agrees_with_projected_points() -> None:
     mapped, valid = apply_homography(ground_to_image(POSE, K), FLOOR)
     assert valid.all()
-    np.testing.assert_allclose(mapped, seen(raised(0.0)), atol=1e-9)
+    np.testing.assert_allclose(mapped, image(points_at(0.0)), atol=1e-9)
 
 
 @pytest.mark.parametrize("height", [0.3, 1.7, 2.5, -0.4])
 def test_heights_follow_from_the_horizon_in_the_picture(height: float) -> None:
     horizon, _ = vanishing.horizon(POSE[:3, 2], K)
     ratio, valid = height_by_horizon(
-        seen(raised(0.0)), seen(raised(height)), horizon, K @ POSE[:3, 2]
+        image(points_at(0.0)),
+        image(points_at(height)),
+        horizon,
+        K @ POSE[:3, 2],
     )
     assert valid.all()
     np.testing.assert_allclose(ratio * 1.7, height, rtol=1e-9)

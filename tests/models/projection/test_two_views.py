@@ -86,7 +86,7 @@ POSE = pinhole.rigid_pose(R, [0.4, -0.1, 0.2])
 DRAWS = np.random.default_rng(8)
 
 
-def seen(points: Floats, pose: Floats, K: Floats) -> Floats:
+def image(points: Floats, pose: Floats, K: Floats) -> Floats:
     pixels, valid = pinhole.project(pinhole.world_to_camera(points, pose), K)
     assert valid.all()
     return pixels
@@ -95,10 +95,12 @@ def seen(points: Floats, pose: Floats, K: Floats) -> Floats:
 def test_turned_camera_moves_pixels_independently_of_depth() -> None:
     points = DRAWS.uniform((-1, -1, 2), (1, 1, 4), (50, 3))
     points *= 10 ** DRAWS.uniform(0, 6, (50, 1))
-    moved, valid = apply_homography(turned_camera(FIRST, SECOND, R), seen(points, np.eye(4), FIRST))
+    moved, valid = apply_homography(
+        turned_camera(FIRST, SECOND, R), image(points, np.eye(4), FIRST)
+    )
     assert valid.all()
     turned = pinhole.rigid_pose(R, [0.0, 0.0, 0.0])
-    np.testing.assert_allclose(moved, seen(points, turned, SECOND), atol=1e-9)
+    np.testing.assert_allclose(moved, image(points, turned, SECOND), atol=1e-9)
 
 
 def test_in_front_agrees_with_projection_into_the_second_camera() -> None:
@@ -108,7 +110,7 @@ def test_in_front_agrees_with_projection_into_the_second_camera() -> None:
     H = plane_between_views(FIRST, SECOND, pose, [0.0, 1.0, 0.0, -1.5])
     _, before = pinhole.project(pinhole.world_to_camera(points, pose), SECOND)
     assert 0.2 < before.mean() < 0.8
-    assert in_front(H, seen(points, np.eye(4), FIRST)).tolist() == before.tolist()
+    assert in_front(H, image(points, np.eye(4), FIRST)).tolist() == before.tolist()
 
 
 @pytest.mark.parametrize("scale", [1.0, -3.0, 1e-6])
@@ -120,7 +122,7 @@ def test_plane_moves_as_its_points_do(normal: tuple[float, float, float], scale:
     points += 3 * n - ((points @ n) / (n @ n))[:, None] * n
     points = points[points[:, 2] > 0.2]
     H = plane_between_views(FIRST, SECOND, POSE, scale * np.array([*n, -3 * n @ n]))
-    moved, valid = apply_homography(H, seen(points, np.eye(4), FIRST))
+    moved, valid = apply_homography(H, image(points, np.eye(4), FIRST))
     expected, before = pinhole.project(pinhole.world_to_camera(points, POSE), SECOND)
     assert len(points) > 5
     assert valid.tolist() == before.tolist()
