@@ -105,13 +105,13 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             write_site(make_notebooks(checked, ROOT), given.out, known_by=REQUIREMENTS)
             print(f"{given.out}: {len(checked.book.chapters)} notebooks")
         case "questions":
-            from site_builder.editions.questions import left_out, make_moodle, make_qti
+            from site_builder.editions.questions import count_not_exported, make_moodle, make_qti
 
             address = site_address(given.address)
             book = check_site(Options(ROOT, runtime=False, warn=warn, address=address)).book
             written(_edition(book, "moodle.xml"), make_moodle(book))
             written(_edition(book, "qti.zip"), make_qti(book))
-            if count := left_out(book):
+            if count := count_not_exported(book):
                 print(f"{count} questions about figures are left out; they need --address")
         case "bench":
             from site_builder.assets.page_assets import write_scripts

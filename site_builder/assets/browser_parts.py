@@ -43,8 +43,8 @@ def pack_for_browser(root: Path, book: Book, warn: Warn, *, compiled: bool) -> R
     shown = {each.measured.ladder.id for some in figures for each in some}
     if not (book.scenes or shown):
         return None
-    scenes = _only(SCENE_MODULES, {scene.id for scene in book.scenes})
-    ladders = _only(LADDER_MODULES, shown)
+    scenes = _select(SCENE_MODULES, {scene.id for scene in book.scenes})
+    ladders = _select(LADDER_MODULES, shown)
     simulations, packages = root / "simulations", book.settings.runtime.packages
 
     def pack() -> RuntimeBundle:
@@ -89,7 +89,7 @@ def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnost
     return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
 
 
-def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
+def _select(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
     return {name: module for name, module in modules.items() if name in shown}
 
 

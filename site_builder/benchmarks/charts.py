@@ -29,7 +29,7 @@ NONE_ROW = 22.0
 RADIUS = 4.5
 FRAME = Rectangle(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
 LETTERS = 0.85
-"""Size of a name beside that of a figure's labels."""
+"""Font size of a name, relative to the labels of a figure."""
 
 
 @dataclass(frozen=True, slots=True)

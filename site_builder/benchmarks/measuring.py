@@ -1,4 +1,4 @@
-"""Measure every ladder in CPython and in Chromium, or with ``--ladder ID`` one of them.
+"""Measure all ladders in CPython and in Chromium, or one with ``--ladder ID``.
 
 Chromium's half is the book's own worker on an empty page, so that the ladders can be measured
 while the book itself cannot be built for want of measurements.
@@ -124,7 +124,7 @@ def finite(value: float | None, digits: int = 6) -> float | None:
 
 
 def disagreements(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]]) -> list[str]:
-    """Errors on which CPython and the browser do not agree: then one of them is not understood."""
+    """Errors that differ between CPython and the browser, as messages."""
     found = []
     for tier, (native, browser) in zip(ladder.tiers, results, strict=True):
         for name, value in native[0].errors.items():
@@ -232,14 +232,14 @@ def measure_errors(root: Path, chosen: Sequence[str]) -> int:
         entry["draws"] = draws_record(_draws(ladder))
         print(ladder.id, flush=True)
     write(data, root / DATA)
-    return _told(misplaced_defaults(root, chosen))
+    return _report(misplaced_defaults(root, chosen))
 
 
 def _draws(ladder: Ladder) -> dict[str, dict[str, list[float]]]:
     return errors_of_draws(ladder, ladder.draw) if ladder.draw else {}
 
 
-def _told(complaints: Sequence[str]) -> int:
+def _report(complaints: Sequence[str]) -> int:
     print("\n".join(complaints), end="\n" if complaints else "", file=sys.stderr)
     return 1 if complaints else 0
 
@@ -259,7 +259,7 @@ def bench(root: Path, chosen: Sequence[str], write_scripts: WriteScripts) -> int
             print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
     write(merge(root / DATA, machine, ladders, LADDER_MODULES), root / DATA)
     print(f"{DATA} written after {time.perf_counter() - began:.0f} s")
-    return _told(differing + misplaced_defaults(root, chosen))
+    return _report(differing + misplaced_defaults(root, chosen))
 
 
 def misplaced_defaults(root: Path, ladder_ids: Sequence[str]) -> list[str]:

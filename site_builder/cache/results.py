@@ -114,7 +114,7 @@ def cached[**P, T](function: Callable[P, T]) -> Callable[P, T]:
     pickled and is never changed."""
 
     @functools.wraps(function)
-    def found(*args: P.args, **kwargs: P.kwargs) -> T:
+    def with_cache(*args: P.args, **kwargs: P.kwargs) -> T:
         return cached_result(
             function.__qualname__,
             (args, kwargs),
@@ -122,7 +122,7 @@ def cached[**P, T](function: Callable[P, T]) -> Callable[P, T]:
             module=function.__module__,
         )
 
-    return found
+    return with_cache
 
 
 def cached_result[T](
@@ -133,8 +133,8 @@ def cached_result[T](
     module: str = "",
     is_final: Callable[[T], bool] = lambda _result: True,
 ) -> T:
-    """What ``make`` returns, which depends on ``given`` and on the sources that ``module`` imports,
-    by default that of ``make``; stored where it ``is_final``."""
+    """Result of ``make``, stored where it ``is_final``. It may depend on ``given`` and on the
+    sources that ``module`` imports (default: the module of ``make``)."""
     if _active is None:
         return make()
     module = module or make.__module__

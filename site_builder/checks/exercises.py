@@ -34,19 +34,19 @@ def _faults(quiz: Quiz, task: Task, chapter: Chapter) -> list[tuple[int, str]]:
         if task.exercise.tier not in tiers:
             return [(quiz.line, unknown("tier", task.exercise.tier, tiers))]
     sources = tuple(folder_hash(Path(path), "*.py") for path in simulations.__path__)
-    found = _found(task.exercise, task.starter, sources)
+    found = _find_faults(task.exercise, task.starter, sources)
     return [(quiz.line if at is None else task.lines[at], message) for at, message in found]
 
 
 @cached
-def _found(
+def _find_faults(
     exercise: Exercise, starter: str, _sources: tuple[bytes, ...]
 ) -> list[tuple[int | None, str]]:
     """What is wrong, with the number of the answer: 0 for the solution, None for the start."""
     try:
         run_in_pool(partial(prove, exercise))
         if miss := _judged(exercise, exercise.solution, "values")["miss"]:
-            return [(0, f"the solution is wrong: {_said(miss)}; legal: a right one")]
+            return [(0, f"the solution is wrong: {_difference(miss)}; legal: a right one")]
         if exercise.hard:
             _judged(exercise, exercise.solution, "hard")  # it need not pass them
     except Exception as error:  # whatever the author's code raises
@@ -63,7 +63,7 @@ def _found(
         if not miss:
             found.append((index + 1, "a wrong answer is right; legal: one that a check finds"))
         elif miss["recognised"] != index:
-            message = f"a wrong answer is taken for another: {_said(miss)}"
+            message = f"a wrong answer is taken for another: {_difference(miss)}"
             found.append((index + 1, f"{message}; legal: answers that differ"))
     return found
 
@@ -79,5 +79,5 @@ def _is_wrong(exercise: Exercise, code: str) -> bool:
         return True
 
 
-def _said(found: dict[str, Any]) -> str:
+def _difference(found: dict[str, Any]) -> str:
     return f"{found['call']} is {found['got']}, expected {found['expected']}"

@@ -40,28 +40,28 @@ def check_frames(
     known = known_classes(static)
     roles = (*COLOUR_ROLES, *book.colours)
     known |= {*roles, "muted"} if known else known
-    for (path, line), still in initial_frames.items():
-        scene = still.figure.scene
+    for (path, line), initial_frame in initial_frames.items():
+        scene = initial_frame.figure.scene
         if fault := formula_fault(scene):
             problems.add(path, line, f"{scene.id}: {fault}")
         names = [control.name for control in scene.controls] + ["tier"] * bool(scene.accuracy.names)
-        names += [readout.name for readout in still.frame.readouts]
-        for name in still.figure.in_sight:
+        names += [readout.name for readout in initial_frame.frame.readouts]
+        for name in initial_frame.figure.in_sight:
             if name not in names:
                 which = f"control or readout of {scene.id}"
                 problems.add(path, line, unknown(which, name, names))
-        shown = [(item.name, item.role) for item in still.frame.readouts]
+        shown = [(item.name, item.role) for item in initial_frame.frame.readouts]
         for name, role in shown + [(handle.name, handle.role) for handle in scene.handles]:
             if role not in roles:
                 said = unknown("colour role", role, roles[1:])
                 own = module_of(scene) or ""
                 problems.add_of(own, path, line, f"{scene.id}: {name!r} has an {said}")
-        for text in _texts(scene, still.frame):
+        for text in _texts(scene, initial_frame.frame):
             if CONTROL.search(text):
                 said = f"{scene.id}: {text!r}; legal: a text of characters that can be shown"
                 problems.add_of(module_of(scene) or "", path, line, said)
-        for panel in still.frame.panels:
-            picture = still.pictures.get(panel.name)
+        for panel in initial_frame.frame.panels:
+            picture = initial_frame.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0
             _check(scene.id, panel, pixels, known, (path, line), problems, module_of(scene) or "")
     for chapter in book.chapters:

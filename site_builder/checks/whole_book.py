@@ -227,7 +227,7 @@ ROOMS = ("scenes", "ladders", "models")
 
 def check_skeletons(sources: Sources, book: Book) -> None:
     """Warn of each such sentence."""
-    for path in _written(sources.root, book):
+    for path in _skeleton_paths(sources.root, book):
         data = (sources.root / path).read_bytes()
         for sentence in PLACEHOLDERS:
             if (place := data.find(sentence.encode())) >= 0:
@@ -235,7 +235,7 @@ def check_skeletons(sources: Sources, book: Book) -> None:
                 sources.problems.warn(path, data.count(b"\n", 0, place) + 1, said)
 
 
-def _written(root: Path, book: Book) -> Iterator[str]:
+def _skeleton_paths(root: Path, book: Book) -> Iterator[str]:
     """Paths of files that ``new`` may have written."""
     paths = (OUTLINE, *(chapter.path for chapter in book.chapters))
     yield from (path for path in paths if (root / path).is_file())

@@ -84,9 +84,9 @@ TRACED = re.compile(r'File "(.+)", line (\d+)')
 
 
 def place_in(module: str, message: str) -> str:
-    """The line of an author's module that a message is about: the first with the last word that the
-    message quotes before it says what is legal, in a text or else elsewhere; or that of what makes
-    the scene. Nothing of other modules."""
+    """Place in an author's module that a message is about: the first line with the last word quoted
+    before the legal values (texts are searched first), or else the line that defines the scene.
+    Empty for other modules."""
     path = module.replace(".", "/").removeprefix("simulations/")
     places = (
         folder / name for folder in _folders() for name in (f"{path}.py", f"{path}/__init__.py")

@@ -107,7 +107,7 @@ def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic
         return found
     path, _, line = place_of(error).rpartition(":")
     at = f", {settings}" if (settings := settings_of(error)) else ""
-    return Diagnostic(path, int(line), _told(error), met=f"{found.path}:{found.line}{at}")
+    return Diagnostic(path, int(line), _message(error), met=f"{found.path}:{found.line}{at}")
 
 
 def counted(found: Sized, name: str) -> str:
@@ -132,10 +132,10 @@ def cause(error: Exception) -> str:
     """``ZeroDivisionError: a division by zero, at simulations/…/scene.py:12``: an exception of
     an author's code, and where it was raised."""
     place = place_of(error)
-    return f"{_told(error)}, at {place}" if place else _told(error)
+    return f"{_message(error)}, at {place}" if place else _message(error)
 
 
-def _told(error: BaseException) -> str:
+def _message(error: BaseException) -> str:
     words, name = words_of(error), type(error).__name__
     return f"{name}: {words}" if words else name
 

@@ -73,7 +73,7 @@ class Chapter:
     figures: tuple[str, ...] = ()
     """Element ids of its simulations, also of those that cannot be shown."""
     cache_key: bytes = b""
-    """The hash of all that it was made from, which the cache takes for that of its contents."""
+    """Hash of the chapter's inputs; the cache uses it in place of the contents."""
 
     @property
     def number(self) -> int:

@@ -36,7 +36,7 @@ type Channel = Literal["text", "figure", "question"]
 
 @dataclass(frozen=True, slots=True)
 class Plain:
-    """What a directive is in plain words, before those of the blocks inside it."""
+    """Plain text of a directive, which precedes the text of its inner blocks."""
 
     words: tuple[str | Passage, ...] = ()
     channel: Channel = "text"

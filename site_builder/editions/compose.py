@@ -60,18 +60,20 @@ def render_rows(
     files: dict[str, bytes] = {}
     for chapter in book.chapters:
         for figure in chapter.simulations:
-            still = initial_frames[figure.path, figure.line]
-            row = _row(f"{chapter.id}--{figure.id}", still, files, book.words)
+            initial_frame = initial_frames[figure.path, figure.line]
+            row = _row(f"{chapter.id}--{figure.id}", initial_frame, files, book.words)
             rows[chapter.id] |= {figure.id: row} if row else {}
     return rows, files
 
 
-def _row(name: str, still: InitialFrame, files: dict[str, bytes], words: Words) -> Row | None:
-    figure, scene = still.figure, still.figure.scene
+def _row(
+    name: str, initial_frame: InitialFrame, files: dict[str, bytes], words: Words
+) -> Row | None:
+    figure, scene = initial_frame.figure, initial_frame.figure.scene
     control = main_control(figure)
     if control is None:
         return None
-    values = shown_values(control, still.values[control.name])
+    values = shown_values(control, initial_frame.values[control.name])
     settings = [scene.check({**figure.values, control.name: value}) for value in values]
     frames = [static_frame(scene, one, figure.tier) for one in settings]
     shown = _most_changed(frames)
@@ -89,7 +91,7 @@ def _row(name: str, still: InitialFrame, files: dict[str, bytes], words: Words) 
 
 
 def shown_values(control: Control, now: Value) -> list[Value]:
-    """The values that the row shows, in their order, that of the figure among them."""
+    """The row's values in order, including the figure's own value."""
     match control:
         case Slider():
             return list(_slider_values(control, float(now)))
@@ -100,7 +102,7 @@ def shown_values(control: Control, now: Value) -> list[Value]:
 
 
 def _slider_values(slider: Slider, now: float) -> list[float]:
-    """Half-way to either end; where there is no way to one of them, points on the other's."""
+    """Half-way to either end; within a tenth of one end, two points towards the other."""
     low, high = slider.minimum, slider.maximum
     wide = (high - low) / 10
     if now - low > wide and high - now > wide:

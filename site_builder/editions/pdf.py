@@ -70,11 +70,11 @@ def volume(composed: Composed) -> Element:
         entry.append(page_number(entry.attrib.pop("data-entry"), "toc-page"))
     body = first(document, "body")
     for section in composed.sections:
-        body.append(_bound(section, composed))
+        body.append(_bound_section(section, composed))
     return document
 
 
-def _bound(section: Section, composed: Composed) -> Element:
+def _bound_section(section: Section, composed: Composed) -> Element:
     """A section as part of the whole. Behind links into other sections their page is printed."""
     content = deepcopy(section.article)
     for element in content.iter():

@@ -121,7 +121,7 @@ class Asked:
         return sorted(options, key=lambda option: (option.text == OTHERWISE, not option.correct))
 
 
-def asked_in(book: Book) -> Iterator[Asked]:
+def exported_questions(book: Book) -> Iterator[Asked]:
     """Without the book's address, none that needs a figure."""
     for chapter in book.chapters:
         for name, quiz in numbered_quizzes(chapter.body):
@@ -129,7 +129,7 @@ def asked_in(book: Book) -> Iterator[Asked]:
                 yield Asked(quiz, name, chapter, book.address)
 
 
-def written(book: Book, asked: Asked, platform: str) -> str:
+def export_question(book: Book, asked: Asked, platform: str) -> str:
     """The question for a ``platform``: Moodle sets formulae itself, for QTI they are MathML."""
     macros = book.settings.macros
     rules = {"math_inline": lambda token: _tex(token, macros)} if platform == "moodle" else {}
@@ -143,16 +143,18 @@ def written(book: Book, asked: Asked, platform: str) -> str:
     )
 
 
-def left_out(book: Book) -> int:
+def count_not_exported(book: Book) -> int:
     """How many questions are not exported."""
-    exported = {asked.quiz.id for asked in asked_in(book)}
+    exported = {asked.quiz.id for asked in exported_questions(book)}
     return sum(len(chapter.quizzes) for chapter in book.chapters) - len(exported)
 
 
 def make_moodle(book: Book) -> bytes:
     categories = [
-        (category, [written(book, asked, "moodle") for asked in group])
-        for category, group in groupby(asked_in(book), lambda asked: _category(book, asked))
+        (category, [export_question(book, asked, "moodle") for asked in group])
+        for category, group in groupby(
+            exported_questions(book), lambda asked: _category(book, asked)
+        )
     ]
     return render_template("editions/moodle.xml", book, categories=categories).encode()
 
@@ -165,11 +167,11 @@ def _category(book: Book, asked: Asked) -> str:
 
 def make_qti(book: Book) -> bytes:
     """The archive. The same book is the same bytes."""
-    asked = list(asked_in(book))
+    asked = list(exported_questions(book))
     chapters = [(chapter, [*group]) for chapter, group in groupby(asked, lambda a: a.chapter)]
     files = {
         "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
         "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),
-        **{f"items/{item.id}.xml": written(book, item, "qti") for item in asked},
+        **{f"items/{item.id}.xml": export_question(book, item, "qti") for item in asked},
     }
     return archive_of({name: content.encode() for name, content in files.items()})

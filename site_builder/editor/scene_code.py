@@ -94,12 +94,12 @@ def _closure(keys: Iterable[str]) -> dict[str, dict[str, object]]:
         key = waiting.pop(0)
         if key not in found:
             uses = uses_of(key)
-            found[key] = {**_told(key), "uses": uses}
+            found[key] = {**_definition(key), "uses": uses}
             waiting += uses
     return found
 
 
-def _told(key: str) -> dict[str, object]:
+def _definition(key: str) -> dict[str, object]:
     module, _, name = key.partition(":")
     place = read_module(module).definitions[name]
     lines = read_module(module).source.split("\n")[place.first - 1 : place.last]

@@ -269,7 +269,7 @@ def _directive_section(
         parts.append(_kinds_of_questions(item.name))
     within = next((name for name in names if _uses(item.name, written.get(name, ""))), "")
     if item.name in written:
-        parts.append(_shown(written[item.name]))
+        parts.append(_source_and_result(written[item.name]))
     elif within:
         parts.append(f"The example of [{within}](#{within}) has it.\n")
     else:
@@ -290,7 +290,9 @@ def _role_section(role: Role, written: Mapping[str, str]) -> str:
             )
         example = f"The words {{{role.name}}}`in its colour`."
     form = role.form.replace("|", BAR)
-    return f"## {role.name}\n\nMakes {role.doc}. It holds `{form}`.\n\n{_shown(example)}"
+    return (
+        f"## {role.name}\n\nMakes {role.doc}. It holds `{form}`.\n\n{_source_and_result(example)}"
+    )
 
 
 def _options(options: Iterable[OptionLine], more: str) -> str:
@@ -309,7 +311,7 @@ def _uses(name: str, example: str) -> bool:
     return re.search(rf"^:+\{{{re.escape(name)}\}}", example, re.MULTILINE) is not None
 
 
-def _shown(example: str) -> str:
+def _source_and_result(example: str) -> str:
     """An example as it is written, then as it is read."""
     return f"````markdown\n{example}\n````\n\n{example}\n"
 

@@ -38,7 +38,7 @@ class Words:
     """Its tag, as in ``lang``: ``de``."""
     texts: Mapping[str, Text]
     cache_key: bytes = field(init=False, repr=False, compare=False)
-    """The hash of all texts, which the cache takes for that of the words."""
+    """Hash of all texts; the cache uses it in place of the texts."""
 
     def __post_init__(self) -> None:
         texts = repr((self.language, [*self.texts.items()]))

@@ -37,7 +37,7 @@ class DirectiveCall:
         return self.options[option].text if option in self.options else ""
 
     def line_of(self, option: str) -> int:
-        """The option's line; that of the fence where the author gave none."""
+        """Line of the option, or of the fence where the author gave none."""
         return self.options[option].line if option in self.options else self.line
 
 
@@ -128,6 +128,6 @@ class Directive[B]:
     numbered: Numbered | None = None
     """None where it carries no number."""
     plain: Callable[[Any], Plain] | None = None
-    """What it is in plain words, for the search; None where it is not searched."""
+    """Gives its plain text for the search; None where it is not searched."""
     more_options: str = ""
     """Options that only the reader can judge, in words: ``the controls of the scene``."""

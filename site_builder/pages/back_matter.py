@@ -219,7 +219,7 @@ def introductions(book: Book, chapter: Chapter) -> list[tuple[Meaning, str]]:
             if symbol in seen:
                 continue
             seen.add(symbol)
-            # Its own meaning before that of a symbol without the index.
+            # An exact match comes before a symbol without the index.
             found = sorted(expected, key=lambda pair: pair[0] != symbol)
             item = next((item for name, item in found if covers(name, symbol)), None)
             if item:

@@ -67,11 +67,11 @@ def gather_licences(
     if versions.pyodide:
         licences += _of_the_runtime(versions, words)
     for each in asked_for:
-        licences.append(_of(each, each.name, words("licences.package"), each.home))
+        licences.append(_licence_of(each, each.name, words("licences.package"), each.home))
     licences += _of_the_editor(editor, words)
     for each in search:
         name, use, home = SEARCH[each.name]
-        licences.append(_of(each, name, words(use), code + home))
+        licences.append(_licence_of(each, name, words(use), code + home))
     for shown in credits_of(root).values():
         use = words("licences.photograph", author=shown.author)
         licences.append(Licence(shown.title, "", shown.licence, use, shown.address, ""))
@@ -89,7 +89,7 @@ def gather_licences(
     return tuple(licences)
 
 
-def _of(package: Package, name: str, use: str, home: str) -> Licence:
+def _licence_of(package: Package, name: str, use: str, home: str) -> Licence:
     return Licence(name, package.version, package.license, use, home, package.text)
 
 

@@ -90,7 +90,7 @@ def _renderer(site: Site, follows: Sequence[tuple[str, str]]) -> Callable[..., b
     """Makes the pages of a site, whose contents list what ``follows`` the chapters. Those of
     chapters are cached by what all share and what they are given; their initial frames follow from
     their figures."""
-    shared = replace(site, root=Path(), book=_bare(site.book), initial_frames={})
+    shared = replace(site, root=Path(), book=_cards_only(site.book), initial_frames={})
     shared_hash = hash_of(shared, follows, *(folder_hash(folder, "*.html") for folder in FOLDERS))
     seen = replace(shared, initial_frames=site.initial_frames)
 
@@ -109,7 +109,7 @@ def _renderer(site: Site, follows: Sequence[tuple[str, str]]) -> Callable[..., b
     return render
 
 
-def _bare(book: Book) -> Book:
+def _cards_only(book: Book) -> Book:
     """The part of the book that every page shows: cards of chapters, and no line numbers."""
     cards: tuple[Any, ...] = tuple(map(card, book.chapters))
     glossary = (

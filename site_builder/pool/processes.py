@@ -299,8 +299,8 @@ def _entry(each: Any) -> tuple[str, Any, Control]:
 def _settings(title: str, entries: Iterable[tuple[str, Any, Control]]) -> type[Any]:
     """A dataclass of settings with these controls."""
 
-    def made(control: Control) -> Any:
+    def default_field(control: Control) -> Any:
         return setting(control.default, lambda _name: control)
 
-    given = [(name, kind, made(control)) for name, kind, control in entries]
+    given = [(name, kind, default_field(control)) for name, kind, control in entries]
     return make_dataclass(title, given, frozen=True, slots=True)

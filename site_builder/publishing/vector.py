@@ -78,13 +78,13 @@ def make_icons(root: Path) -> Mapping[str, bytes]:
     """From the book's icon, or the engine's. Raises `BuildError` where it is no drawing."""
     file = own_or_engine(root, ICON)
     try:
-        return _drawn(file.read_text(encoding="utf-8"))
+        return _raster_icons(file.read_text(encoding="utf-8"))
     except ValueError as error:
         raise BuildError([Diagnostic(ICON, 1, f"{error}; legal: a drawing in SVG")]) from error
 
 
 @cached
-def _drawn(svg: str) -> dict[str, bytes]:
+def _raster_icons(svg: str) -> dict[str, bytes]:
     fonts = whole_fonts()
     return {name: png_of(svg, width, fonts) for name, width in ICONS.items()}
 
@@ -112,7 +112,7 @@ def make_cards(
     fonts = whole_fonts()
     families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
     style = style_of_drawings(root, OWN.read_text(encoding="utf-8"), families, book.colours)
-    cover = _still(book.hero, initial_frames, pictures)
+    cover = _figure_panel(book.hero, initial_frames, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
         size, lines = set_title(title, TITLE_WIDTH if figure else WIDTH - 180, fonts.title)
@@ -135,26 +135,26 @@ def _figures(
 ) -> Iterator[Placed]:
     """The chapter's first figure, then its illustrations."""
     for simulation in chapter.simulations[:1]:
-        if drawn := _still(simulation, initial_frames, pictures):
+        if drawn := _figure_panel(simulation, initial_frames, pictures):
             yield drawn
     for item in contents(chapter.body, DrawnIllustration):
-        yield _placed(item.illustration.panels[0], "")
+        yield _centred(item.illustration.panels[0], "")
 
 
-def _still(
+def _figure_panel(
     simulation: Simulation | None, initial_frames: InitialFrames, pictures: Mapping[str, bytes]
 ) -> Placed | None:
     """The main panel of a figure."""
     if simulation is None:
         return None
-    still = initial_frames[simulation.path, simulation.line]
-    panel = still.main_panel
-    picture = still.pictures.get(panel.name)
+    initial_frame = initial_frames[simulation.path, simulation.line]
+    panel = initial_frame.main_panel
+    picture = initial_frame.pictures.get(panel.name)
     data = b64encode(as_png(pictures[picture.file])).decode() if picture else ""
-    return _placed(panel, data and f"data:image/png;base64,{data}")
+    return _centred(panel, data and f"data:image/png;base64,{data}")
 
 
-def _placed(panel: Panel, picture: str) -> Placed:
+def _centred(panel: Panel, picture: str) -> Placed:
     """Place it in the middle, as large as there is room."""
     left, top, width, height = FIGURE
     scale = min(width / panel.width, height / panel.height)
@@ -194,5 +194,5 @@ def break_lines(words: str, width: float, face: "FreeTypeFont") -> list[str]:
 def _face(font: Path, size: int) -> "FreeTypeFont":
     from PIL import ImageFont  # not every book has cards
 
-    # The basic layout is in every Pillow; the other one depends on what else is installed.
+    # Every Pillow has the basic layout; Raqm is optional.
     return ImageFont.truetype(font, size, layout_engine=ImageFont.Layout.BASIC)

@@ -12,7 +12,7 @@ FOLDER = "raw/"
 """Below the assets; `static/js/raw/worker.ts` names it."""
 FILES = ("libraw.js", "libraw.wasm")
 LICENCE = "CDDL 1.0"
-"""One of LibRaw's two licences. The package's own, ISC, is that of the bindings."""
+"""One of LibRaw's two licences. The bindings have the package's licence, ISC."""
 
 
 @dataclass(frozen=True, slots=True)

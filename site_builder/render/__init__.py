@@ -1,1 +1,1 @@
-"""What a passage of the book becomes in each medium: on the screen, on paper, in plain words."""
+"""Renderers of passages for each medium: screen, paper, Markdown, plain text."""

@@ -87,7 +87,7 @@ def _formula(mathml: str) -> str:
 
 
 PLAIN = {directive.template: directive.plain for directive in DIRECTIVES}
-"""What each directive is in plain words, by its template."""
+"""Functions that give the plain text of a directive, by its template."""
 type Describe = Callable[[Simulation], str]
 """What a figure shows at first, in a sentence."""
 

@@ -139,12 +139,12 @@ def make_snapshot(
             "archives": [str(archive) for archive in archives],
             "modules": [*modules],
         }
-        return {SNAPSHOT: _made(interpreter, python, order)}
+        return {SNAPSHOT: _take_snapshot(interpreter, python, order)}
 
     return stores.made_once(store, f"snapshot-{stores.sha256(recipe.encode())}", make)[SNAPSHOT]
 
 
-def _made(interpreter: Files, python: Path, order: Mapping[str, object]) -> bytes:
+def _take_snapshot(interpreter: Files, python: Path, order: Mapping[str, object]) -> bytes:
     with tempfile.TemporaryDirectory() as scratch:
         given, out = Path(scratch) / "given", Path(scratch) / "out"
         given.mkdir()

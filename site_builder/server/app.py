@@ -93,8 +93,8 @@ WAITING = (
 
 
 def make_app(out: Path, news: News, host: str) -> Starlette:
-    """Serves the folder ``out``. Requests by another name than that of this server are refused, as
-    when another site's name has been pointed here (DNS rebinding)."""
+    """An application that serves the folder ``out``. Requests for a host name other than this
+    server's are refused (DNS rebinding)."""
     for suffix, media_type in TYPES.items():
         mimetypes.add_type(media_type, suffix)
 

@@ -1,1 +1,1 @@
-"""From the author's files to a book, in its own language and in translations."""
+"""Read the author's files into a book."""

@@ -102,11 +102,13 @@ class ChapterSource:
 def _targets_state(targets: Targets) -> bytes:
     """Hash of what a chapter can show of others: not on which line that stands."""
 
-    def shown(target: Target) -> tuple[object, ...]:
+    def visible_parts(target: Target) -> tuple[object, ...]:
         return target.kind, target.chapter, target.id, target.number, target.title, target.labelled
 
-    inside = {chapter: [shown(one) for one in found] for chapter, found in targets.inside.items()}
-    chapters = {chapter: shown(target) for chapter, target in targets.chapters.items()}
+    inside = {
+        chapter: [visible_parts(one) for one in found] for chapter, found in targets.inside.items()
+    }
+    chapters = {chapter: visible_parts(target) for chapter, target in targets.chapters.items()}
     return hash_of(chapters, inside)
 
 
@@ -204,8 +206,8 @@ def _list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[
 
 
 def _states(root: Path, outline: Outline) -> Callable[[str], bytes]:
-    """The hash of what a file is read with: those of ``content/`` that are no chapters, and all
-    code but that of scenes that it does not name."""
+    """A function from a chapter's path to a hash of its inputs: the files of ``content/`` besides
+    chapters, shared code, and the scenes that the chapter names."""
     chapters = {f"{name}.md" for name, _, _ in outline.chapters}
     content = folder_files(root / "content").items()
     files = {name: file_hash(file) for name, file in content if name not in chapters}

@@ -145,7 +145,7 @@ def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position
 
 
 def check_boxes(outline: Outline, problems: Diagnostics) -> None:
-    """A box is named as directives are, and like none of them."""
+    """Report boxes whose name is malformed or already the name of a directive."""
     taken = {directive.name for directive in DIRECTIVES}
     for name in outline.settings.boxes:
         if name in taken or slug(name) != name:

@@ -16,7 +16,12 @@ from support.qti import QTI, session_after
 
 from site_builder.build import Options, load
 from site_builder.document.book import Book
-from site_builder.editions.questions import asked_in, left_out, make_moodle, make_qti
+from site_builder.editions.questions import (
+    count_not_exported,
+    exported_questions,
+    make_moodle,
+    make_qti,
+)
 
 SITE = "https://host/book/"
 MACROS = '[macros]\nhalf = "\\\\frac{1}{2}"\nthird = "\\\\frac{1}{3}"\n'
@@ -123,10 +128,10 @@ def test_question_about_a_figure_has_its_link_and_a_solution(
 
 
 def test_export_without_an_address_has_no_links_or_figure_questions(book: Book) -> None:
-    assert left_out(book) == 0
+    assert count_not_exported(book) == 0
     book = replace(book, address="")
-    assert "set-it" not in [item.quiz.id for item in asked_in(book)]
-    assert left_out(book) == 1
+    assert "set-it" not in [item.quiz.id for item in exported_questions(book)]
+    assert count_not_exported(book) == 1
     assert b"href" not in make_moodle(book)
 
 

@@ -110,7 +110,7 @@ class ChapterPage:
         site = self.book.address
         return on_site(href, f"{site}{self.chapter.url}" if site else "")
 
-    def still(self, figure: Simulation) -> InitialFrame:
+    def initial_frame(self, figure: Simulation) -> InitialFrame:
         return self.checked.initial_frames[figure.path, figure.line]
 
     def picture(self, panels: Sequence[Panel]) -> bytes:

@@ -50,14 +50,14 @@ LONGEST = 80
 
 def simulation(figure: Simulation, block: Block, page: ChapterPage) -> Iterator[Part]:
     """The cell, then its caption."""
-    still = page.still(figure)
+    initial_frame = page.initial_frame(figure)
     panels = [
         replace(panel, raster=pixels(page.checked.pictures[picture.file]))
-        if (picture := still.pictures.get(panel.name))
+        if (picture := initial_frame.pictures.get(panel.name))
         else panel
-        for panel in still.frame.panels
+        for panel in initial_frame.frame.panels
     ]
-    yield Code(call(figure), page.picture(panels), still.frame.description)
+    yield Code(call(figure), page.picture(panels), initial_frame.frame.description)
     about = page.markdown(figure.about)
     yield Text(f"{named(block.target)}{page.markdown(figure.caption)}\n\n{about}".strip())
 
@@ -67,14 +67,14 @@ def call(figure: Simulation) -> str:
     values: Mapping[str, object] = figure.values
     if figure.tier != figure.scene.accuracy.default:
         values = {"tier": figure.tier, **values}
-    given = [json.dumps(figure.scene.id), *(f"{k}={_written(v)}" for k, v in values.items())]
+    given = [json.dumps(figure.scene.id), *(f"{k}={_python_literal(v)}" for k, v in values.items())]
     line = f"figure({', '.join(given)})"
     if len(line) <= LONGEST:
         return line
     return "figure(\n" + "".join(f"    {each},\n" for each in given) + ")"
 
 
-def _written(value: object) -> str:
+def _python_literal(value: object) -> str:
     return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
 
 
@@ -109,7 +109,7 @@ DRAWING = re.compile(
 
 
 def quiz(question: Quiz, block: Block, page: ChapterPage) -> Iterator[Part]:
-    asked = (f"{named(block.target)}{page.markdown(question.prompt)}", _offered(question, page))
+    asked = (f"{named(block.target)}{page.markdown(question.prompt)}", _option_list(question, page))
     answers = folded(page.words("question.answer"), "\n".join(_answers(question, page)))
     if starter := kind_of(question).starter(question):
         yield Text("\n\n".join(filter(None, asked)))
@@ -122,14 +122,16 @@ def quiz(question: Quiz, block: Block, page: ChapterPage) -> Iterator[Part]:
 def predict(question: Prediction, block: Block, page: ChapterPage) -> Iterator[Part]:
     """What is right begins the `answer`; where none follows, it stands here."""
     title = f"{named(block.target)}{escaped(page.words('predict.title'))}"
-    asked = (title, page.markdown(question.prompt), _offered(question, page))
+    asked = (title, page.markdown(question.prompt), _option_list(question, page))
     yield Text("\n\n".join(filter(None, asked)))
     answers = contents(page.chapter.body, Reveal)
     if question.id not in (each.prediction for each in answers):
-        yield from wrapped(right(question, page), partial(folded, page.words("question.answer")))
+        yield from wrapped(
+            right_answer(question, page), partial(folded, page.words("question.answer"))
+        )
 
 
-def right(question: Prediction, page: ChapterPage) -> Iterator[Text]:
+def right_answer(question: Prediction, page: ChapterPage) -> Iterator[Text]:
     """The right option, number or curve."""
     yield from (Text(_answer(option, page)) for option in question.options if option.correct)
     if drawing := _drawing(question, page):
@@ -138,7 +140,7 @@ def right(question: Prediction, page: ChapterPage) -> Iterator[Text]:
         yield Text(shown, {name: page.picture([drawing])})
 
 
-def _offered(question: Question, page: ChapterPage) -> str:
+def _option_list(question: Question, page: ChapterPage) -> str:
     """What can be chosen, or ordered."""
     lines = zip(ascii_uppercase, kind_of(question).offered(question), strict=False)
     return "\n".join(f"- {letter}: {page.markdown(option.words)}" for letter, option in lines)
@@ -217,7 +219,7 @@ def answer(content: Reveal, block: Block, page: ChapterPage) -> Iterator[Part]:
     """Named after its prediction, as cells may lie between the two; what is right comes first."""
     asked, name = _prediction(content.prediction, page)
     summary = f"{name}: {page.words('question.answer')}"
-    parts = (*right(asked, page), *parts_of(block.inside, page))
+    parts = (*right_answer(asked, page), *parts_of(block.inside, page))
     return wrapped(parts, partial(folded, summary))
 
 

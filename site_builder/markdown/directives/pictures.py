@@ -35,7 +35,7 @@ ALIKE = 0.01
 @dataclass(frozen=True, slots=True)
 class PictureFile:
     file: str
-    """Path below ``content/``, like that of the other."""
+    """Path below ``content/``."""
     alt: str
     """What it shows."""
     caption: Passage

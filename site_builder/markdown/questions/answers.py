@@ -157,10 +157,11 @@ def check_answers(
     right: str = "one",
     otherwise: bool = False,
 ) -> None:
-    """Report where ``count`` answers are not enough, none of them is right or two are alike.
+    """Report fewer than ``least`` answers, no right answer, or two equal answers.
 
-    ``right`` says what is legal where several are; nothing: any number of them. ``otherwise``: the
-    last answer is the reply to whatever no other recognises.
+    ``count``: answers in the Markdown, malformed ones included. ``right``: the legal number of
+    right answers, for the message; empty for any number. ``otherwise``: the last answer must be
+    the reply to all other answers.
     """
     what = f"{call.name} {call.argument!r}"
     correct = sum(option.correct for option in options)

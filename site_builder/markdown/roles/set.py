@@ -77,7 +77,7 @@ def _load(figure: FigurePlace, context: ParseContext) -> Scene[Any] | None:
 
 
 def _text(value: Value) -> str:
-    """The value in the form that ``permalink.js`` writes."""
+    """The value in the form that ``permalink.ts`` writes."""
     match value:
         case bool():
             return str(value).lower()

@@ -68,8 +68,8 @@ def _joined(base: str, index: str | None) -> str:
 
 @cache
 def covers(declared: str, symbol: str) -> bool:
-    r"""Whether the meaning of one covers the other: ``h_{11}`` that of ``h_{32}``, ``t_x`` that of
-    ``t_y``, ``x`` and ``\mathbf{x}`` that of ``x_0``."""
+    r"""Whether a declared symbol also explains another: ``h_{11}`` explains ``h_{32}``, ``t_x``
+    explains ``t_y``, ``x`` and ``\mathbf{x}`` explain ``x_0``."""
     base, _, index = symbol.partition("_")
     given, _, other = declared.partition("_")
     if not index or not other:

@@ -1,5 +1,4 @@
-"""A still as its template needs it: addresses, texts, controls, readouts and schema worked out,
-nothing left to do."""
+"""The view of a figure for its template: addresses, texts, controls, readouts and schema."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -49,21 +48,21 @@ type Cell = tuple[ControlView, ...]
 
 
 def control_cells(
-    still: InitialFrame, *, tiers: bool, words: Words = ENGLISH
+    initial_frame: InitialFrame, *, tiers: bool, words: Words = ENGLISH
 ) -> tuple[tuple[Cell, ...], tuple[Cell, ...]]:
     """The cells in sight, and the folded ones.
 
     In sight are the controls that the author of the page names, else the first: a scene states its
     settings in the order of their weight.
     """
-    runs = [*gather_buttons(still.figure.scene.controls), *([()] if tiers else [])]
+    runs = [*gather_buttons(initial_frame.figure.scene.controls), *([()] if tiers else [])]
     names = [[control.name for control in run] or [TIER] for run in runs]
     places = {name: place for place, run in enumerate(names) for name in run}
-    chosen = dict.fromkeys(places[name] for name in still.figure.in_sight if name in places)
+    chosen = dict.fromkeys(places[name] for name in initial_frame.figure.in_sight if name in places)
     shown = [runs[place] for place in chosen] or [run for run in runs if run][:IN_SIGHT]
     folded = [run for run in runs if run not in shown]
     cells = [
-        tuple(tuple(_control(still, control, words) for control in run) for run in part)
+        tuple(tuple(_control(initial_frame, control, words) for control in run) for run in part)
         for part in (shown, folded)
     ]
     return cells[0], cells[1]
@@ -78,20 +77,22 @@ def gather_buttons(controls: Sequence[Control]) -> list[tuple[Control, ...]]:
     return runs
 
 
-def readouts_in_sight(still: InitialFrame) -> tuple[tuple[Readout, ...], tuple[Readout, ...]]:
+def readouts_in_sight(
+    initial_frame: InitialFrame,
+) -> tuple[tuple[Readout, ...], tuple[Readout, ...]]:
     """The readouts in sight, and the folded ones: those that the author names, else the first."""
-    readouts, named = still.frame.readouts, still.figure.in_sight
+    readouts, named = initial_frame.frame.readouts, initial_frame.figure.in_sight
     chosen = tuple(shown for shown in readouts if shown.name in named)
     shown = chosen if named else readouts[:IN_SIGHT]
     return shown, tuple(each for each in readouts if each not in shown)
 
 
-def _control(still: InitialFrame, control: Control, words: Words) -> ControlView:
-    value = still.values[control.name]
+def _control(initial_frame: InitialFrame, control: Control, words: Words) -> ControlView:
+    value = initial_frame.values[control.name]
     text = value_text(control, value, words)
     ends = (value_text(control, end, words) for end in control.extremes())
     longest = max((text, *ends), key=len)
-    return ControlView(control, f"{still.figure.id}-{control.name}", value, text, longest)
+    return ControlView(control, f"{initial_frame.figure.id}-{control.name}", value, text, longest)
 
 
 def value_text(control: Control, value: Value, words: Words = ENGLISH) -> str:
@@ -178,20 +179,25 @@ class SimulationView:
         return "beneath" if len(self.panels) == 2 and first.lead and room > ROOM else ""
 
 
-def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
+def view_simulation(
+    initial_frame: InitialFrame, assets: str, words: Words = ENGLISH
+) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
-    figure, scene = still.figure, still.figure.scene
-    frame, tiers = still.frame, level_labels(scene, _ladder)
+    figure, scene = initial_frame.figure, initial_frame.figure.scene
+    frame, tiers = initial_frame.frame, level_labels(scene, _ladder)
+    prerendered = initial_frame.prerendered
     instrument = scene.instrument
     count = len(frame.panels)
-    cells, folded_cells = control_cells(still, tiers=bool(tiers), words=words)
-    readouts, folded_readouts = readouts_in_sight(still)
+    cells, folded_cells = control_cells(initial_frame, tiers=bool(tiers), words=words)
+    readouts, folded_readouts = readouts_in_sight(initial_frame)
     return SimulationView(
         name=_name(figure),
         description=frame.description,
         panels=tuple(
             PanelView(
-                panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)
+                panel,
+                *_picture(initial_frame, panel.name, assets),
+                _handles(initial_frame, panel.name, words),
             )
             for panel in sorted(frame.panels, key=lambda panel: not panel.lead)
         ),
@@ -204,8 +210,8 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
             replace(stage, reason=reason_text(stage.reason, words)) for stage in frame.stages
         ),
         stages_text=count_stages(frame.stages, words),
-        schema=json_for_html(schema(still)),
-        prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
+        schema=json_for_html(schema(initial_frame)),
+        prerendered=f"{assets}prerendered/{prerendered.file}" if prerendered else "",
         sounds=frame.sound is not None,
         takes_picture=instrument.photograph is not None and not instrument.measures_photographs,
         makes_files=_makes_files(figure),
@@ -221,9 +227,9 @@ def _numerals(readouts: Sequence[Readout], words: Words) -> tuple[Readout, ...]:
     return tuple(replace(shown, text=words.numeral(shown.text)) for shown in readouts)
 
 
-def _picture(still: InitialFrame, panel: str, assets: str) -> tuple[str, tuple[int, int]]:
+def _picture(initial_frame: InitialFrame, panel: str, assets: str) -> tuple[str, tuple[int, int]]:
     """Address and size of a panel's pixels."""
-    picture = still.pictures.get(panel)
+    picture = initial_frame.pictures.get(panel)
     if picture is None:
         return "", (0, 0)
     return f"{assets}stills/{address_of(picture.file)}", (picture.width, picture.height)
@@ -234,15 +240,15 @@ def _name(figure: Simulation) -> str:
     return f"{figure.scene.title} ({number})" if number else figure.scene.title
 
 
-def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView, ...]:
+def _handles(initial_frame: InitialFrame, panel: str, words: Words) -> tuple[HandleView, ...]:
     """The handles of one panel, in the scene's order."""
-    scene = still.figure.scene
-    places = {place.name: place for place in still.frame.handles}
+    scene = initial_frame.figure.scene
+    places = {place.name: place for place in initial_frame.frame.handles}
     controls = {control.name: control for control in scene.controls}
 
     def view(handle: Handle[Any]) -> HandleView:
         driven = [controls[name] for name in handle.drives]
-        values = still.values
+        values = initial_frame.values
         said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
         reach = None
         if len(driven) == 1 and not isinstance(driven[0], Points):
@@ -271,17 +277,17 @@ def _keys(driven: Sequence[Control], words: Words) -> str:
     return words("figure.arrows_both", across=across, along=along)
 
 
-def schema(still: InitialFrame) -> dict[str, object]:
+def schema(initial_frame: InitialFrame) -> dict[str, object]:
     """What the page's script must know of the figure: controls, starting values, levels; of a
     photograph width and height in px, or most megapixels."""
-    scene = still.figure.scene
+    scene = initial_frame.figure.scene
     photograph = scene.instrument.photograph
     return {
         "title": scene.title,
         "controls": [describe(control) for control in scene.controls],
-        "values": dict(still.values),
+        "values": dict(initial_frame.values),
         "tiers": list(scene.accuracy.names),
-        "default_tier": still.figure.tier,
+        "default_tier": initial_frame.figure.tier,
         "photograph": photograph.most_megapixels if isinstance(photograph, Whole) else photograph,
     }
 
@@ -294,14 +300,14 @@ def _makes_files(figure: Simulation) -> bool:
 
 
 def reason_text(reason: str | Sequence[Message], words: Words = ENGLISH) -> str:
-    """Why a stage was computed or not, as ``stage_report.js`` writes it."""
+    """Why a stage was computed or not, as ``stage_report.ts`` writes it."""
     if isinstance(reason, str):
         return reason
     return "; ".join(words(f"script.{part.key}", **part.values) for part in reason)
 
 
 def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
-    """``13 computed, 0 reused, 1 skipped``, as ``stage_report.js`` writes it."""
+    """``13 computed, 0 reused, 1 skipped``, as ``stage_report.ts`` writes it."""
     counts = {"computed": 0, "reused": 0, "skipped": 0}
     for stage in stages:
         counts[stage.status] += 1
@@ -311,6 +317,6 @@ def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
 def thumbnail(chapter: Chapter, initial_frames: InitialFrames) -> InitialFrame | None:
     """The chapter's first figure with a picture in its main panel, else its first; None where it
     has no figure."""
-    stills = [initial_frames[figure.path, figure.line] for figure in chapter.simulations]
-    pictured = (still for still in stills if still.main_panel.name in still.pictures)
-    return next(pictured, next(iter(stills), None))
+    frames = [initial_frames[figure.path, figure.line] for figure in chapter.simulations]
+    pictured = (frame for frame in frames if frame.main_panel.name in frame.pictures)
+    return next(pictured, next(iter(frames), None))
