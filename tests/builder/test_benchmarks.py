@@ -141,6 +141,8 @@ def test_each_metric_has_its_own_front() -> None:
 
 EXACT = Neighbour("Exact", "4.5", "no error")
 FREE = {"fine": {"errors": {"rms": 0.0}}, "rough": {"browser": 7.0}}
+TWO_CHEAPER = {"waste": {"browser": 4.0}}
+TWO_DEARER = {"rough": {"errors": {"rms": 0.005}, "browser": 12.0}}
 
 
 @pytest.mark.parametrize(
@@ -148,6 +150,8 @@ FREE = {"fine": {"errors": {"rms": 0.0}}, "rough": {"browser": 7.0}}
     [
         ({}, Neighbour("Rough", "0.25", "3.0\u00a0px"), EXACT),
         (FREE, None, None),
+        (TWO_CHEAPER, Neighbour("Waste", "0.67", "0.50\u00a0px"), EXACT),
+        (TWO_DEARER, None, Neighbour("Rough", "2.0", "0.0050\u00a0px")),
         (ROUNDED, Neighbour("Rough", "0.25", "3.0\u00a0px"), None),
     ],
 )

@@ -76,7 +76,7 @@ def test_euler_angles_agree_with_scipy_in_both_directions(sequence: str) -> None
 def test_euler_angles_round_trip_near_gimbal_lock_which_is_reported(
     sequence: str, upper_end: bool
 ) -> None:
-    off = np.array([0.0, *10.0 ** -np.arange(4, 13), 3e-8, 3e-7])
+    off = np.array([0.0, *10.0 ** -np.arange(4, 13), 3e-8, 9e-8, 1.1e-7, 3e-7])
     turns = np.full((off.size, 3), [0.5, 0.0, 0.2])
     if sequence.lower() in PROPER:
         turns[:, 1] = math.pi - off if upper_end else off
