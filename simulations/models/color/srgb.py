@@ -38,10 +38,20 @@ def decode_srgb(srgb: ArrayLike) -> Floats:
     return np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
 
 
+ENTRIES = 65536
+"""Of the tables of `encode_srgb`."""
+
+
 @cache
 def _table() -> NDArray[np.float32]:
     """The table of `encode_srgb_table`, made on first use."""
-    return encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
+    return encode_srgb(np.linspace(0.0, 1.0, ENTRIES)).astype(np.float32)
+
+
+@cache
+def _code_table() -> NDArray[np.uint8]:
+    """The table of `encode_srgb_codes`, made on first use."""
+    return np.rint(255.0 * _table()).astype(np.uint8)
 
 
 def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
@@ -50,12 +60,21 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     Clips to [0, 1] and takes NaN as 0. In the shadows, where the curve is steepest, an entry
     stands for 0.05 codes of 255: the table is off by half of that at most.
     """
-    table = _table()
+    return _table().take(_entries(linear), mode="clip")
+
+
+def encode_srgb_codes(linear: ArrayLike) -> NDArray[np.uint8]:
+    """`encode_srgb_table` rounded to codes from 0 to 255."""
+    return _code_table().take(_entries(linear), mode="clip")
+
+
+def _entries(linear: ArrayLike) -> NDArray[np.intp]:
+    """The entries (...) of linear light (...): int32 would be converted when they are taken. None
+    is out of range; "clip" only spares the check for it."""
     place = np.asarray(np.maximum(as_floats(linear), 0))  # from here on in place: a new array
     if np.isnan(np.max(place, initial=0)):  # a cast of NaN to an index would be undefined
         np.fmax(place, 0, out=place)
     np.minimum(place, 1, out=place)
-    place *= len(table) - 1
+    place *= ENTRIES - 1
     place += 0.5
-    # int32 would be converted; no index is out of range, "clip" only spares the check for it.
-    return table.take(place.astype(np.intp), mode="clip")
+    return place.astype(np.intp)

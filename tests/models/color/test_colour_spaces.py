@@ -76,6 +76,7 @@ def test_srgb_table_takes_nan_as_black_and_clips() -> None:
     np.testing.assert_array_equal(wild, [np.nan, -1, np.inf], "what was given stays as it was")
     assert srgb.encode_srgb_table(np.nan) == 0
     assert srgb.encode_srgb_table(np.empty((0, 3))).shape == (0, 3)
+    np.testing.assert_array_equal(srgb.encode_srgb_codes(wild), [0, 0, 255])
 
 
 def test_srgb_is_straight_up_to_its_threshold_and_curved_beyond() -> None:
