@@ -19,6 +19,9 @@ SMALLEST_RADIUS = 1e-15
 UNIT_TOLERANCE = 1e-4
 """Tolerance for the length of a direction, which should be 1."""
 
+SHARPEST = 1e30
+"""Largest shininess, finite in float32: a cosine of 1 has the power 1, all others have 0."""
+
 BRIGHTEST = 1e30
 """Largest colour of a light: finite in float32, also times that of a pixel."""
 
@@ -113,8 +116,8 @@ def phong(
     view: ArrayLike,
     albedo: ArrayLike = 1.0,
     *,
-    specular: float = 0.5,
-    shininess: float = 32.0,
+    specular: ArrayLike = 0.5,
+    shininess: ArrayLike = 32.0,
     ambient: float = 0.0,
 ) -> Floats:
     """Phong's model: ambient, matte, and a highlight about the mirrored light direction.
@@ -131,6 +134,8 @@ def phong(
         As for `lambert`.
     view : (3,) or (..., 3)
         Unit direction towards the eye.
+    specular, shininess : broadcastable to (...)
+        Strength of the highlight, and the power that makes it narrow.
 
     Returns
     -------
@@ -156,8 +161,8 @@ def blinn_phong(
     view: ArrayLike,
     albedo: ArrayLike = 1.0,
     *,
-    specular: float = 0.5,
-    shininess: float = 128.0,
+    specular: ArrayLike = 0.5,
+    shininess: ArrayLike = 128.0,
     ambient: float = 0.0,
 ) -> Floats:
     """Blinn's variant: the highlight follows ``n . h``, with ``h`` halfway between light and eye.
@@ -176,10 +181,11 @@ def blinn_phong(
     to_eye = _direction("view", view, n.dtype)
     n_dot_l = cosine(n, to_light)
     between = to_light + to_eye
-    halfway = normalise(between)
-    lit = (n_dot_l > 0) & to_eye.any(axis=-1) & (_dot(between, between) > (2 * UNIT_TOLERANCE) ** 2)
+    square = _dot(between, between)
+    lit = (n_dot_l > 0) & to_eye.any(axis=-1) & (square > (2 * UNIT_TOLERANCE) ** 2)
+    n_dot_h = np.clip(_dot(n, between) / np.sqrt(np.where(lit, square, 1)), 0.0, 1.0)
     shade: Floats = _matte(albedo, n_dot_l, ambient)
-    return shade + _highlight(cosine(n, halfway), lit, specular, shininess)
+    return shade + _highlight(n_dot_h, lit, specular, shininess)
 
 
 def attenuation(distance: ArrayLike, radius: float = 0.01) -> Floats:
@@ -241,14 +247,19 @@ def _matte(albedo: ArrayLike, n_dot_l: Floats, ambient: float) -> Floats:
     return _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
 
 
-def _highlight(cosines: Floats, lit: Mask, specular: float, shininess: float) -> Floats:
+def _highlight(cosines: Floats, lit: Mask, specular: ArrayLike, shininess: ArrayLike) -> Floats:
     """The power where ``lit``, else 0: the cosine is 0 there, whose power 0 would be 1. Powers
     below the normal numbers, which take long, are 0 as well."""
     for name, value in (("shininess", shininess), ("specular", specular)):
-        require(name, value, 0 <= value < np.inf, "0 or more, finite")
-    least = float(np.finfo(cosines.dtype).tiny) ** (1.0 / shininess) if shininess > 0 else -1.0
-    shines = lit & (cosines >= least)
-    return specular * np.power(cosines, shininess, out=np.zeros_like(cosines), where=shines)
+        sizes = np.asarray(value, float)
+        require(name, value, ((sizes >= 0) & (sizes < np.inf)).all(), "0 or more, finite")
+    power = np.minimum(shininess, SHARPEST).astype(cosines.dtype)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        normal = power * np.log(cosines) >= np.log(np.finfo(cosines.dtype).tiny)
+    shines = lit & (normal | (power == 0))
+    dark = np.zeros(np.broadcast_shapes(cosines.shape, power.shape), cosines.dtype)
+    powers = np.power(cosines, power, out=dark, where=shines)
+    return np.asarray(np.asarray(specular, cosines.dtype) * powers)
 
 
 def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Floats:
