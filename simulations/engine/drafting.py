@@ -16,6 +16,7 @@ from simulations.engine.drawing import (
     escaped,
     ground,
     path,
+    point_list,
     polygon,
     polyline,
 )
@@ -62,10 +63,9 @@ def swatch(corner: Point, width: float, height: float, srgb: Sequence[float]) ->
     return f'<rect class="swatch" x="{x}" y="{y}" width="{w}" height="{h}" fill="{_hex(srgb)}"/>'
 
 
-def swatch_polygon(points: Sequence[Point], srgb: Sequence[float]) -> str:
+def swatch_polygon(points: Iterable[Point], srgb: Sequence[float]) -> str:
     """A polygon, likewise."""
-    corners = " ".join(f"{coordinate(x)},{coordinate(y)}" for x, y in points)
-    return f'<polygon class="swatch" points="{corners}" fill="{_hex(srgb)}"/>'
+    return f'<polygon class="swatch" points="{point_list(points)}" fill="{_hex(srgb)}"/>'
 
 
 def picture(corner: Point, width: float, height: float, raster: Raster) -> str:

@@ -45,7 +45,8 @@ def check_count(count: int) -> None:
         raise ValueError(f"a line through {count:,} points; legal: at most {MOST_POINTS:,}")
 
 
-def _points(points: Iterable[Point], joint: str = " ") -> str:
+def point_list(points: Iterable[Point], joint: str = " ") -> str:
+    """The numbers of an attribute ``points``."""
     if isinstance(points, np.ndarray):
         return _array_points(points, joint)
     points = [*points]
@@ -76,11 +77,11 @@ def line(start: Point, end: Point, style: str = "") -> str:
 
 
 def polyline(points: Iterable[Point], style: str = "") -> str:
-    return f'<polyline class="{style}" points="{_points(points)}"/>'
+    return f'<polyline class="{style}" points="{point_list(points)}"/>'
 
 
 def polygon(points: Iterable[Point], style: str = "") -> str:
-    return f'<polygon class="{style}" points="{_points(points)}"/>'
+    return f'<polygon class="{style}" points="{point_list(points)}"/>'
 
 
 def path(subpaths: Iterable[Iterable[Point]], style: str = "") -> str:
@@ -91,7 +92,7 @@ def path(subpaths: Iterable[Iterable[Point]], style: str = "") -> str:
         form = "M" + "L".join(["%.2f,%.2f"] * subpaths.shape[1])
         data = _shortened(form * len(subpaths) % tuple(subpaths.ravel().tolist()))
         return f'<path class="{style}" d="{data}"/>'
-    data = "".join(["M" + _points(points, "L") for points in subpaths])
+    data = "".join(["M" + point_list(points, "L") for points in subpaths])
     return f'<path class="{style}" d="{data}"/>'
 
 

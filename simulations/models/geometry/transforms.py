@@ -160,13 +160,21 @@ def clip_to_rectangle(
     ``lowest`` and ``highest`` (2,) are its smallest and largest x and y. Returns (M, 2) and raises
     as `clip_half_plane`.
     """
-    (left, low), (right, high) = as_vectors("lowest", lowest, 2), as_vectors("highest", highest, 2)
-    inside = _in_range("polygon", _vertices(polygon))
-    if np.all((inside >= (left, low)) & (inside <= (right, high))):
-        return inside.copy()
+    (left, low), (right, high) = (
+        as_vectors(name, corner, 2).tolist()
+        for name, corner in (("lowest", lowest), ("highest", highest))
+    )
+    vertices = _in_range("polygon", _vertices(polygon))
+    if not len(vertices):
+        return vertices.copy()
+    (first, top), (last, bottom) = vertices.min(axis=0).tolist(), vertices.max(axis=0).tolist()
+    if left <= first and last <= right and low <= top and bottom <= high:
+        return vertices.copy()
+    if last < left or first > right or bottom < low or top > high:
+        return vertices[:0].copy()
     for line in ((1, 0, -left), (-1, 0, right), (0, 1, -low), (0, -1, high)):
-        inside = clip_half_plane(inside, line, closed)
-    return inside
+        vertices = clip_half_plane(vertices, line, closed)
+    return vertices
 
 
 def clip_to_visible(
@@ -203,10 +211,6 @@ def _vertices(polygon: ArrayLike) -> Floats:
 
 
 def _in_range(name: str, values: Floats) -> Floats:
-    require(
-        name,
-        values,
-        np.all(np.abs(values) <= CLIP_RANGE),
-        f"finite, at most {CLIP_RANGE:g} in size",
-    )
+    legal = np.abs(values).max(initial=0.0) <= CLIP_RANGE
+    require(name, values, legal, f"finite, at most {CLIP_RANGE:g} in size")
     return values
