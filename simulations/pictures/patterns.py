@@ -46,11 +46,11 @@ def checker(
     return 0.5 + 0.5 * along_u * along_v
 
 
-def siemens_star(x: Floats, y: Floats, spokes: int, area: bool = True) -> Floats:
-    """Share of the light spokes: resolution falls towards the centre, where they blend to grey."""
+def siemens_star(x: Floats, y: Floats, spokes: int, pixel: ArrayLike) -> Floats:
+    """Share of the light spokes in pixels so wide: resolution falls towards the centre, where they
+    blend to grey."""
     per_rad = spokes / np.pi  # a spoke is 1 wide, as is its gap
-    pixel = 0.5 * (pixel_width(x, area) + pixel_width(y, area))
-    footprint = pixel * per_rad / np.maximum(np.hypot(x, y), NARROWEST)
+    footprint = np.asarray(pixel) * per_rad / np.maximum(np.hypot(x, y), NARROWEST)
     return stripes(np.arctan2(y, x) * per_rad - 0.5, 2.0, 1.0, footprint)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, centred
 from simulations.models.require import as_whole, require_positive
-from simulations.pictures.patterns import band, blend, checker, siemens_star, stripes
+from simulations.pictures.patterns import band, blend, checker, pixel_width, siemens_star, stripes
 
 PAPER, INK, RULE = (0.82, 0.81, 0.78), (0.025, 0.028, 0.035), (0.10, 0.22, 0.34)
 STAR_CENTRES = ((-0.57, -0.37), (0.57, -0.37), (-0.57, 0.37), (0.57, 0.37))
@@ -89,7 +89,7 @@ def _stars(chart: Part) -> None:
         if min(part.picture.shape[:2]) < 2:  # hardly in view: a star has no slope to go by
             continue
         x, y = np.broadcast_arrays(part.x - centre_x, part.y - centre_y)
-        star = siemens_star(x, y, STAR_SPOKES)
+        star = siemens_star(x, y, STAR_SPOKES, 0.5 * (pixel_width(x) + pixel_width(y)))
         disc = np.clip((STAR_RADIUS - np.hypot(x, y)) / part.pixel + 0.5, 0.0, 1.0)
         part.paint(PAPER, disc)
         part.paint(INK, disc * (1.0 - star))

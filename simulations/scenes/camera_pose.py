@@ -31,7 +31,8 @@ from simulations.models.projection.pinhole import (
 )
 from simulations.scenes._turned_camera import view_from
 from simulations.world import plan
-from simulations.world.room import HIGH, LEVELS, NAMES, ROOM, photograph
+from simulations.world.furniture import HIGH, ROOM
+from simulations.world.room import LEVELS, photograph
 
 LAMP = np.array([2.0, -1.0, 5.0])  # 1 m above the camera
 ROOM_TO_WORLD = rigid_pose([(0, -1, 0), (0, 0, -1), (1, 0, 0)], (7.5, 1.5, 2.0))
@@ -47,10 +48,10 @@ def in_axes(places: Floats) -> Floats:
 
 
 WALLS, DOOR = in_axes(plan.WALLS), in_axes(plan.DOOR)
-FOOTPRINTS = {name: [in_axes(plan.footprint(t)) for t in ROOM if t.name == name] for name in NAMES}
-TABLE = FOOTPRINTS["table"][0]
+TABLE = in_axes(plan.footprint(next(thing for thing in ROOM if thing.name == "table")))
 
 WIDTH, HEIGHT = 400.0, 350.0
+BORDERS = (0.0, 0.0), (WIDTH, HEIGHT)
 UNITS_PER_M = 20.0  # in both panels, so that equal lengths look equal
 MIDDLE, MIDDLE_M = (200.0, 175.0), (6.0, 0.0, 2.0)
 """The world's place, metres, that stays in the middle of the first panel while it is turned. From
@@ -214,7 +215,7 @@ def camera_panel(here: Standpoint, look: View) -> Panel:
 def _furniture(place: ToPanel, here: Standpoint) -> str:
     """Floor, the part of it in the camera's field of view, walls, door and table, clipped to the
     panel."""
-    things = [_cut(place(part), closed=True) for parts in FOOTPRINTS.values() for part in parts]
+    things = plan.outlines(lambda corners: place(in_axes(corners)), *BORDERS)
     middle = place(TABLE.mean(axis=0))
     walls = np.stack([WALLS, np.roll(WALLS, -1, axis=0)], axis=1)
     lines = [*((wall, "world thin") for wall in walls), (DOOR, "world bold")]
@@ -295,7 +296,7 @@ def _name(at: Floats, words: str, style: str) -> str:
 
 def _cut(points: Floats, *, closed: bool) -> Floats:
     """A line or an area clipped to the view box."""
-    return clip_to_rectangle(points, (0.0, 0.0), (WIDTH, HEIGHT), closed)
+    return clip_to_rectangle(points, *BORDERS, closed)
 
 
 def triple(values: Floats) -> str:

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
 from simulations.models.arrays import Floats, Planes
-from simulations.models.light.raycasting import Vector
+from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import shadow_bounds, visibility
 from simulations.world.surfaces import Surface, windows_between
@@ -54,11 +55,17 @@ def tinted(colour: Floats, strength: Floats) -> Planes:
     return colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
 
 
+@lru_cache(maxsize=128)
+def shadow_corners(solid: Sphere | Box, lamp: Vector) -> tuple[Floats, Floats]:
+    """Corners (3,) of a cuboid that contains a thing and its shadow above the floor."""
+    return shadow_bounds(solid, lamp, LAMP_RADIUS_RAD)
+
+
 def lamp_seen(points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1) -> Floats:
     """Share (H, W) of the lamp that the things do not hide from points (H, W, 3)."""
     seen = np.ones(points.shape[:2])
     solids = [thing.solid for thing in things]
-    corners = [shadow_bounds(solid, lamp, LAMP_RADIUS_RAD) for solid in solids]
+    corners = [shadow_corners(solid, lamp) for solid in solids]
     for solid, near in zip(solids, windows_between(points, corners, stride), strict=True):
         if near is not None:
             seen[near] *= visibility(solid, points[near], lamp, LAMP_RADIUS_RAD)

@@ -1,8 +1,9 @@
 """The room from above: what a plan of it draws."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
+from itertools import accumulate
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.light.raycasting import Sphere
-from simulations.world.room import DOORWAY, HIGH, LOW, ROOM
+from simulations.world.furniture import DOORWAY, HIGH, LOW, ROOM
 from simulations.world.surfaces import CHART
 from simulations.world.things import Thing
 
@@ -28,16 +29,43 @@ def drawn(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.P
     ``place`` takes places (n, 2) to the view box, of which the part from ``low`` to ``high`` is
     drawn.
     """
-    parts = []
-    for thing in ROOM:
-        corners = clip_to_rectangle(place(footprint(thing)), low, high, closed=True)
-        if len(corners) > 2:
-            parts.append(swatch_polygon(corners.tolist(), encode_srgb(thing.albedo).tolist()))
+    parts = [
+        swatch_polygon(outline, colour)
+        for outline, colour in zip(outlines(place, low, high), _colours(), strict=True)
+        if len(outline) > 2
+    ]
     for line, style in ((WALLS[[0, 3, 2, 1]], "world thin"), (CHART_EDGE, "world bold")):
         points = clip_to_rectangle(place(line), low, high, closed=False)
         if len(points) > 1:
             parts.append(drawing.polyline(points, style))
     return "".join(parts)
+
+
+def outlines(
+    place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.Point
+) -> Iterator[Floats]:
+    """The outline (n, 2) of each thing from above as ``place`` takes it to the view box, without
+    what is not from ``low`` to ``high``."""
+    corners, starts = _corners()
+    points = place(corners)
+    inside = ((points >= low) & (points <= high)).all(axis=1)
+    whole = np.logical_and.reduceat(inside, starts).tolist()
+    for start, end, complete in zip(starts, [*starts[1:], len(points)], whole, strict=True):
+        outline = points[start:end]
+        yield outline if complete else clip_to_rectangle(outline, low, high, closed=True)
+
+
+@cache
+def _corners() -> tuple[Floats, list[int]]:
+    """The corners (n, 2) of all things from above, metres: x and y, and where each begins."""
+    every = [footprint(thing) for thing in ROOM]
+    return np.concatenate(every), [0, *accumulate(len(each) for each in every[:-1])]
+
+
+@cache
+def _colours() -> list[list[float]]:
+    """sRGB of all things."""
+    return [encode_srgb(thing.albedo).tolist() for thing in ROOM]
 
 
 @cache

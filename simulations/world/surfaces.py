@@ -48,6 +48,8 @@ WALL, GROOVE = np.array([0.33, 0.42, 0.43]), np.array([0.20, 0.26, 0.27])
 SKIRTING = np.array([0.62, 0.60, 0.56])
 WALL_PLANE = ((0.0, WALL_DISTANCE, 0.0), (0.0, -1.0, 0.0))
 FLOOR_PLANE = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))  # a point of the plane and its normal
+STRIPES_AXIS = np.array([0.42, -0.25, 0.87]) / math.hypot(0.42, -0.25, 0.87)
+"""Of the striped ball, tilted towards the camera."""
 INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
 
 
@@ -145,8 +147,7 @@ def thing_albedo(thing: Thing, normals: Floats, area: bool) -> Planes:
     if thing.second_albedo is None:
         colour = np.array(thing.albedo, np.float32)
         return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
-    axis = np.array([0.42, -0.25, 0.87])  # of the stripes, tilted towards the camera
-    latitude = np.arcsin(np.clip(normals @ (axis / np.linalg.norm(axis)), -1.0, 1.0))
+    latitude = np.arcsin(np.clip(normals @ STRIPES_AXIS, -1.0, 1.0))
     place = latitude * (thing.stripe_count / math.pi)  # a stripe is 1 wide
     share = stripes(place, 2.0, 1.0, pixel_width(place, area))
     return mixed(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
@@ -277,7 +278,8 @@ def _with_chart(wall: Planes, x: Floats, z: Floats, area: bool) -> Planes:
     disc = within(np.hypot(x, z), 0.52)
     columns = within(np.abs(x) - 0.74, 0.13) * within(z, 0.48)
     bars = stripes(z + 0.04, 0.16, 0.08, pixel_width(z, area))
-    ink = np.maximum(disc * siemens_star(x, z, 18, area), columns * bars)
+    pixel = 0.5 * (pixel_width(x, area) + pixel_width(z, area))
+    ink = np.maximum(disc * siemens_star(x, z, 18, pixel), columns * bars)
     framed, part = wall[:, *window], sheet.astype(np.float32)
     framed[:] = laid_over(framed, INK, frame)
     framed += (mixed(PAPER, INK, ink) - INK.astype(np.float32)[:, None, None]) * part

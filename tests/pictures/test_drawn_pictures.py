@@ -22,7 +22,7 @@ from simulations.pictures.patterns import (
 )
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
-from simulations.world import room
+from simulations.world import furniture, room
 from simulations.world.depth import depth_met
 from simulations.world.surfaces import surfaces
 from simulations.world.things import view
@@ -163,8 +163,10 @@ def test_points_of_the_room_project_to_their_pixels(
     np.testing.assert_allclose(pixels, np.stack([columns, rows], -1), atol=1e-4)
     np.testing.assert_allclose(seen.depth, camera[..., 2], rtol=1e-5)
     assert (np.einsum("...i,...i", seen.normals, seen.to_eye) > -1e-6).all()
-    inside = (seen.points > np.array(room.LOW) - 1e-5) & (seen.points < np.array(room.HIGH) + 1e-5)
+    inside = (seen.points > np.array(furniture.LOW) - 1e-5) & (
+        seen.points < np.array(furniture.HIGH) + 1e-5
+    )
     assert inside.all()
-    light = room.shade(seen)
+    light = room.light_of(K, pose, 160, 120)
     assert np.isfinite(light).all()
     assert light.min() >= 0

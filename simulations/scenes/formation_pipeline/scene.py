@@ -16,12 +16,12 @@ from simulations.engine import drawing
 from simulations.engine.drafting import swatch, swatch_polygon
 from simulations.engine.frame import Frame, Panel, Raster, readout
 from simulations.engine.handles import Handle, Point
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import opaque
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.color.srgb import encode_srgb, encode_srgb_codes
 from simulations.models.projection.pinhole import (
     intrinsics,
     look_at,
@@ -40,7 +40,8 @@ from simulations.scenes.formation_pipeline.stations import (
     travel,
 )
 from simulations.world.light import LAMP_ELEVATION_RAD, lamp_direction
-from simulations.world.room import finer, halve, look, shade
+from simulations.world.radiance import Lighting
+from simulations.world.room import finer, light_of
 from simulations.world.things import WALL_DISTANCE
 
 type Legs = tuple[tuple[Point, ...], ...]
@@ -51,7 +52,7 @@ ROOM_ROWS = 196.0  # of the room at the top, in view box units
 ROOM_FOCAL, ROOM_CENTRE = 300.0, (199.5, 97.5)
 ROOM_POSE = look_at((9.0, 1.2, 2.5), (0.0, 3.5, 1.2), (0.0, 0.0, 1.0))
 """The reader's eye, outside the wall with the door, which is left out of the picture."""
-RAYS = 3  # of the room's picture, per view box unit along a row
+FINER = 1.5  # pixels of the room's picture, per view box unit
 AHEAD, DOWN = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, -1.0])
 ORIGIN = np.array([2.0, WALL_DISTANCE - POINT_M[2], 1.5])
 """Of the chain's world axes in the room: right, down and ahead to the wall with the speck."""
@@ -91,12 +92,11 @@ def journey_of(distance: float, albedo: float, again: int) -> Journey:
 def picture() -> Raster:
     """The room as the reader sees it, lit so that the lamp is 60° from the normal of the wall."""
     level = math.cos(LAMP_ELEVATION_RAD)
-    K = finer(intrinsics(ROOM_FOCAL, ROOM_CENTRE), RAYS)
-    seen = look(K, ROOM_POSE, round(RAYS * WIDTH), round(RAYS * ROOM_ROWS))
-    lit = halve(shade(seen, math.degrees(math.acos(LAMP_COS / level))))
-    rows = round(RAYS / 2 * HEIGHT)  # the part below the room is empty
-    raster = np.zeros((rows, lit.shape[2], 4), np.uint8)
-    raster[: lit.shape[1]] = to_rgba8(encode_srgb_table(lit.transpose(1, 2, 0)))
+    K = finer(intrinsics(ROOM_FOCAL, ROOM_CENTRE), FINER)
+    columns, rows, height = (round(FINER * size) for size in (WIDTH, ROOM_ROWS, HEIGHT))
+    lit = light_of(K, ROOM_POSE, columns, rows, Lighting(math.degrees(math.acos(LAMP_COS / level))))
+    raster = np.zeros((height, columns, 4), np.uint8)  # the part below the room is empty
+    raster[:rows] = opaque(np.stack([encode_srgb_codes(plane) for plane in lit], axis=-1))
     return raster
 
 

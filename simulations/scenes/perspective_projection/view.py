@@ -21,7 +21,7 @@ from simulations.models.projection.pinhole import (
     rigid_pose,
     world_to_camera,
 )
-from simulations.world.room import HIGH, LOW
+from simulations.world.furniture import HIGH, LOW
 from simulations.world.surfaces import CHART
 from simulations.world.things import THINGS
 

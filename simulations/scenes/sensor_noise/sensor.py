@@ -23,7 +23,8 @@ from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_counting import Sensor, ShotModel
 from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
-from simulations.world.room import finer, halve, look, shade
+from simulations.world.radiance import Lighting
+from simulations.world.room import light_of
 
 type Codes = NDArray[np.uint16]
 
@@ -198,9 +199,9 @@ def colour_of_code(bits: int) -> NDArray[np.uint8]:
 def room_light() -> Floats:
     """(160, 240, 3) light of the room at dusk, of which 1 fills the well at 0 EV."""
     columns, rows = PHOTOGRAPH_PX
-    K = finer(intrinsics(190.0, ((columns - 1) / 2, (rows - 1) / 2)))
-    seen = look(K, ROOM_POSE, 2 * columns, 2 * rows)
-    return np.ascontiguousarray(halve(shade(seen, 60.0, lamp=0.6)).transpose(1, 2, 0))
+    K = intrinsics(190.0, ((columns - 1) / 2, (rows - 1) / 2))
+    light = light_of(K, ROOM_POSE, columns, rows, Lighting(60.0, lamp=0.6))
+    return np.ascontiguousarray(light.transpose(1, 2, 0))
 
 
 def room(

@@ -30,7 +30,7 @@ from simulations.scenes.stability.errors import (
     pixel_from_origin,
     unit,
 )
-from simulations.world.room import halve, look, shade
+from simulations.world.room import halve, light_of
 
 COLUMNS = 200
 UNDEFINED = (0.80, 0.05, 0.25)  # sRGB of a value that is not a number
@@ -44,10 +44,10 @@ def room(columns: int) -> Floats:
     """sRGB (3, rows, columns), 0 to 1; of fewer columns, means of the values of all."""
     if columns < COLUMNS:
         return np.asarray(halve(room(2 * columns)), float)
-    wide, high = 2 * columns, columns * 3 // 2
-    K = intrinsics(1.5 * wide, ((wide - 1) / 2, (high - 1) / 2))
-    light = shade(look(K, look_at((0.0, -1.2, 1.0), (0.1, 4.0, 0.5), (0, 0, 1)), wide, high))
-    return encode_srgb(np.asarray(halve(light), float))
+    rows = columns * 3 // 4
+    K = intrinsics(1.5 * columns, ((columns - 1) / 2, (rows - 1) / 2))
+    pose = look_at((0.0, -1.2, 1.0), (0.1, 4.0, 0.5), (0, 0, 1))
+    return encode_srgb(np.asarray(light_of(K, pose, columns, rows), float))
 
 
 @lru_cache(maxsize=2)

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from simulations.engine.accuracy import Accuracy, columns
+from simulations.engine.accuracy import Accuracy
 from simulations.engine.frame import (
     Frame,
     Raster,
@@ -38,6 +38,7 @@ from simulations.scenes.two_views.view import (
     place,
     right_panel,
 )
+from simulations.world.room import LEVELS
 
 NEAREST_M = 0.5  # least depth, for places nearer to the plane of the left camera or behind it
 
@@ -220,6 +221,6 @@ SCENE = Scene(
             role="image",
         ),
     ),
-    accuracy=Accuracy(levels=columns(120, 400, 800)),
+    accuracy=Accuracy(levels=LEVELS),
     formula=depth_from_disparity,
 )

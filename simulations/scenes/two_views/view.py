@@ -21,7 +21,8 @@ from simulations.models.projection.two_views import (
     epipolar_lines,
     fundamental_matrix,
 )
-from simulations.world.room import HIGH, photograph
+from simulations.world.furniture import HIGH
+from simulations.world.room import photograph
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half of each photograph, in pixels from the principal point."""

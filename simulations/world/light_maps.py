@@ -1,0 +1,268 @@
+"""The light on what stands still, computed once: maps of the shares of lamp and surroundings.
+
+A map has nodes on a grid over each surface of the room, and at each node two shares: of the lamp
+and of the surroundings that the other things leave visible. Between the nodes they are bilinear.
+Colours and cosines are no part of it and stay exact. The finer the grid, the smaller the error,
+which is largest in a shadow near the thing that casts it, where it is sharpest.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from simulations.models.arrays import Floats, Planes
+from simulations.models.light.raycasting import Box, Sphere, Vector
+from simulations.models.light.soft_shadows import bounding_radius
+from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
+from simulations.world.light import lamp_direction, lamp_seen, shadow_corners
+from simulations.world.surfaces import sky_seen, windows_between
+from simulations.world.things import Thing
+from simulations.world.tracing import FACES, NUMBERED, Numbers
+from simulations.world.walls import ALONG
+
+FINE_M, COARSE_M = 0.02, 0.16
+"""Spacings of the nodes on flat surfaces."""
+REACH = 3.0
+"""Radii beyond which a ball's shadow in the light of the surroundings is ignored."""
+LEAST_NODES = 16
+"""Cells of the map of a ball, however small, along each side of the square."""
+INSIDE_M = 1e-4
+"""How far from a surface another thing covers it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Patch:
+    """The nodes of one surface."""
+
+    points: Floats
+    """(a, b, 3) metres."""
+    normals: Floats
+    """(a, b, 3) unit."""
+    to_place: Floats
+    """(2, 4) from a point (x, y, z, 1) of a flat surface to its place in the map, in nodes; of a
+    ball, the number of cells."""
+
+
+@dataclass(frozen=True, slots=True)
+class LightMap:
+    """The maps of all surfaces, one after the other."""
+
+    shares: Planes
+    """(2, nodes) of the lamp and of the surroundings."""
+    first: Planes
+    """(surfaces,) number of the first node."""
+    across: Planes
+    """(surfaces,) nodes along b."""
+    last: Planes
+    """(2, surfaces) the last place along a and b."""
+    to_place: Planes
+    """(2, 4, surfaces) see `Patch`."""
+    bounds: Floats
+    """(walls, 2, 2) from and to, along u and v: the part of each wall that the maps cover."""
+
+    def on_flat(self, surface: Numbers, points: Floats, _normals: Floats) -> Floats:
+        """Shares (2, n) at points (3, n) of flat surfaces (n,)."""
+        x, y, z = points
+        a, b = (
+            row[0].take(surface) * x
+            + row[1].take(surface) * y
+            + row[2].take(surface) * z
+            + row[3].take(surface)
+            for row in self.to_place
+        )
+        return self._between_nodes(surface, a, b)
+
+    def on_ball(self, surface: Numbers, _points: Floats, normals: Floats) -> Floats:
+        """Shares (2, n) at points of balls (n,) that have normals (3, n)."""
+        a, b = octahedral(normals) * self.to_place[0, 0].take(surface)
+        return self._between_nodes(surface, a, b)
+
+    def _between_nodes(self, surface: Numbers, a: Floats, b: Floats) -> Floats:
+        last_a, last_b = self.last.take(surface, axis=1)
+        a, b = np.clip(a, 0, last_a), np.clip(b, 0, last_b)
+        row, column, across = np.floor(a), np.floor(b), self.across.take(surface)
+        a -= row
+        b -= column
+        row *= across  # whole numbers, exact in float32 up to 16 million
+        row += column
+        row += self.first.take(surface)
+        node = row.astype(np.intp)
+        low = _between(self.shares.take(node, axis=1), self.shares.take(node + 1, axis=1), b)
+        node += across.astype(np.intp)
+        high = _between(self.shares.take(node, axis=1), self.shares.take(node + 1, axis=1), b)
+        return _between(low, high, a)
+
+
+def _between(first: Floats, second: Floats, share: Floats) -> Floats:
+    second -= first
+    second *= share
+    second += first
+    return second
+
+
+def octahedral(normals: Floats) -> Floats:
+    """Places (2, n) in the unit square of unit vectors (3, n), by unfolding an octahedron."""
+    x, y, z = normals / np.abs(normals).sum(axis=0)
+    below = np.maximum(-z, 0)  # what is below the middle folds out over the edges
+    half = np.float32(0.5)
+    a, b = x + np.copysign(below, x), y + np.copysign(below, y)
+    return np.stack([half + half * a, half + half * b])
+
+
+def from_octahedral(a: Floats, b: Floats) -> Floats:
+    """Unit vectors (..., 3) of places (...) in the unit square."""
+    x, y = 2 * a - 1, 2 * b - 1
+    z = 1 - np.abs(x) - np.abs(y)
+    below = np.maximum(-z, 0)
+    vectors = np.stack([x - np.copysign(below, x), y - np.copysign(below, y), z], axis=-1)
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
+
+
+@dataclass(frozen=True, slots=True)
+class TracedLight:
+    """The same shares as in the maps, computed anew at every point."""
+
+    lamp: Vector
+    """Unit vector to it."""
+    bounds: Floats
+    """As in `LightMap`."""
+
+    def on_flat(self, _surface: Numbers, points: Floats, normals: Floats) -> Floats:
+        at = points.T[None]
+        facing = np.broadcast_to(normals.T, at.shape)
+        openness = sky_seen(at, facing, ROOM, REACH)
+        return np.concatenate([lamp_seen(at, self.lamp, ROOM), openness])
+
+    on_ball = on_flat
+
+
+def traced_light(light_angle: float) -> TracedLight:
+    """The light of a lamp at an angle in degrees."""
+    lamp = lamp_direction(light_angle)
+    return TracedLight(lamp, _bounds(lamp))
+
+
+def _bounds(lamp: Vector) -> Floats:
+    return np.array([covered(wall, lamp) for wall in range(len(WALLS))]).swapaxes(1, 2)
+
+
+@lru_cache(maxsize=4)
+def light_map(light_angle: float, spacing: float = FINE_M) -> LightMap:
+    """The maps in the light of a lamp at an angle in degrees, with nodes ``spacing`` metres apart:
+    some 50 000 at `FINE_M`."""
+    lamp = lamp_direction(light_angle)
+    bounds = _bounds(lamp)
+    parts = [
+        ([_flat(wall, np.eye(3)[[*ALONG[wall]]], low, high, spacing)], ROOM)
+        for wall, (low, high) in enumerate(bounds.swapaxes(1, 2))
+    ]
+    for thing, first in NUMBERED:
+        patches = _patches_of(thing, first, spacing)
+        parts.append((patches, tuple(other for other in ROOM if other is not thing)))
+    shares = np.concatenate([_shares(patches, others, lamp) for patches, others in parts], axis=1)
+    every = [patch for patches, _ in parts for patch in patches]
+    sizes = np.array([patch.points.shape[:2] for patch in every], np.intp)
+    ends = np.cumsum(sizes.prod(axis=1))
+    return LightMap(
+        shares,
+        (ends - sizes.prod(axis=1)).astype(np.float32),
+        sizes[:, 1].astype(np.float32),
+        np.ascontiguousarray(np.nextafter(sizes - 1, 0, dtype=np.float32).T),
+        np.ascontiguousarray(np.stack([patch.to_place for patch in every], -1), np.float32),
+        bounds,
+    )
+
+
+def _shares(patches: Sequence[Patch], others: Sequence[Thing], lamp: Vector) -> Planes:
+    """Shares (2, nodes) of all nodes of some patches, which the same things may cover."""
+    if len(patches) == 1:
+        points, normals = patches[0].points, patches[0].normals
+    else:
+        points, normals = (
+            np.concatenate([each.reshape(-1, 3) for each in arrays])[None]
+            for arrays in zip(*((patch.points, patch.normals) for patch in patches), strict=True)
+        )
+    points = _uncovered(points, normals, others)
+    seen = lamp_seen(points, lamp, others)
+    openness = sky_seen(points, normals, others, REACH)
+    return np.stack([seen.ravel(), openness.ravel()]).astype(np.float32)
+
+
+def _uncovered(points: Floats, normals: Floats, others: Sequence[Thing]) -> Floats:
+    """Points on which a box stands are moved to its sides: they are not seen, but the light between
+    them and their neighbours is."""
+    boxes = [thing.solid for thing in others if isinstance(thing.solid, Box)]
+    reach = [bounding_radius(box) * np.ones(3) for box in boxes]
+    corners = [
+        (box.centre - size, box.centre + size) for box, size in zip(boxes, reach, strict=True)
+    ]
+    moved = points.copy()
+    for box, window in zip(boxes, windows_between(points, corners), strict=True):
+        if window is None:
+            continue
+        half, axes = np.asarray(box.size) / 2, box.world_to_box
+        own = (points[window] + INSIDE_M * normals[window] - box.centre) @ axes.T
+        inside = (np.abs(own) < half).all(axis=-1)
+        own, count = own[inside], np.arange(int(inside.sum()))
+        side = (half - np.abs(own))[:, :2].argmin(axis=-1)
+        own[count, side] = np.copysign(half[side] + INSIDE_M, own[count, side])
+        moved[window][inside] = own @ axes + box.centre
+    return moved
+
+
+def covered(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
+    """Bounds (2,), along u and v, of the part of a wall from which a thing may keep light; the rest
+    is as light as the edge of that part."""
+    along, across, place = list(ALONG[wall]), wall // 2, (LOW, HIGH)[wall % 2][wall // 2]
+    reached = []
+    for solid in (thing.solid for thing in ROOM):
+        size = solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size)
+        around = np.asarray(solid.centre)
+        for low, high in (
+            shadow_corners(solid, lamp),
+            (around - REACH * size, around + REACH * size),
+        ):
+            if low[across] < place < high[across]:
+                reached.append((low[along], high[along]))
+    least, most = np.array(LOW)[along], np.array(HIGH)[along]
+    if not reached:
+        return least, least + LEAST_NODES * INSIDE_M
+    low, high = np.min([ends[0] for ends in reached], 0), np.max([ends[1] for ends in reached], 0)
+    return np.maximum(low, least), np.minimum(high, most)
+
+
+def _patches_of(thing: Thing, first: int, spacing: float) -> list[Patch]:
+    solid = thing.solid
+    if isinstance(solid, Sphere):
+        return [_round(solid, spacing)]
+    axes, size, patches = solid.world_to_box, np.asarray(solid.size), []
+    for face in range(6):
+        along = [(face // 2 + 1) % 3, (face // 2 + 2) % 3]
+        middle = axes[along] @ np.asarray(solid.centre)
+        reach = size[along] / 2
+        patches.append(_flat(first + face, axes[along], middle - reach, middle + reach, spacing))
+    return patches
+
+
+def _flat(surface: int, axes: Floats, low: Floats, high: Floats, spacing: float) -> Patch:
+    """The nodes between bounds (2,) along two axes (2, 3) of a flat surface."""
+    cells = np.maximum(np.ceil((high - low) / spacing - INSIDE_M), 1).astype(int)
+    a, b = (low[k] + np.linspace(0.0, high[k] - low[k], cells[k] + 1) for k in (0, 1))
+    normal, offset = FACES.normals[surface], FACES.offsets[surface]
+    points = offset * normal + a[:, None, None] * axes[0] + b[:, None] * axes[1]
+    facing = -normal if surface < len(WALLS) else normal
+    per_metre = (cells / (high - low))[:, None]
+    to_place = np.append(per_metre * axes, -per_metre * low[:, None], axis=1)
+    return Patch(points, np.broadcast_to(facing, points.shape), to_place)
+
+
+def _round(ball: Sphere, spacing: float) -> Patch:
+    """The nodes of a ball, on an unfolded octahedron, twice as long as a quarter of the girth."""
+    cells = max(math.ceil(math.pi * ball.radius / spacing), LEAST_NODES)
+    ticks = np.linspace(0.0, 1.0, cells + 1)
+    normals = from_octahedral(*np.meshgrid(ticks, ticks, indexing="ij"))
+    points = np.asarray(ball.centre) + ball.radius * normals
+    return Patch(points, normals, np.full((2, 4), float(cells)))

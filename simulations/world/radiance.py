@@ -1,0 +1,267 @@
+"""The light that comes from what each pixel sees: albedo times the light that arrives there."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, cached_property
+
+import numpy as np
+
+from simulations.models.arrays import Floats, Mask, Planes
+from simulations.models.light.raycasting import Sphere
+from simulations.models.light.reflectance import blinn_phong
+from simulations.pictures.patterns import NARROWEST, stripes
+from simulations.world import light
+from simulations.world.furniture import BOUNCE, SKY, WALLS
+from simulations.world.light_maps import LightMap, TracedLight
+from simulations.world.surfaces import STRIPES_AXIS
+from simulations.world.things import Thing
+from simulations.world.tracing import (
+    FACES,
+    FIRST_BALL,
+    NUMBERED,
+    Camera,
+    Numbers,
+    Surfaces,
+    linear,
+)
+from simulations.world.walls import ALONG, albedo
+
+LEAST_COSINE = np.float32(1e-3)
+"""Of a surface to a ray; at grazing rays, a pixel is taken to be so much wider, not more."""
+
+
+@dataclass(frozen=True)
+class Lighting:
+    """The light in the room."""
+
+    angle: float = 40.0
+    """Of the lamp, degrees."""
+    lamp: float = 1.0
+    """How bright the lamp is, relative to the still life's."""
+    around: float = 1.0
+    """How bright surroundings and window are: dusk is 0.1."""
+
+    @cached_property
+    def towards(self) -> Planes:
+        """(3,) unit vector to the lamp."""
+        return np.array(light.lamp_direction(self.angle), np.float32)
+
+    @cached_property
+    def colours(self) -> Planes:
+        """(4, 3) linear RGB: of the lamp, of the surroundings on an upright surface, what they gain
+        on a level one that faces up, and of the sky in the window."""
+        upright, gain = 0.5 * (light.ROOM + BOUNCE), 0.5 * (light.ROOM - BOUNCE)
+        around = self.around * np.stack([upright, gain, SKY])
+        return np.stack([self.lamp * light.LAMP, *around]).astype(np.float32)
+
+
+DAY = Lighting()
+NOTHING = 255
+"""The surface of samples that are left black."""
+
+
+@dataclass(frozen=True, slots=True)
+class Finish:
+    """How the surfaces of the things look, by the number of the surface."""
+
+    albedo: Planes
+    """(3, surfaces) linear RGB."""
+    gloss: Planes
+    shininess: Planes
+    normals: Planes
+    """(3, surfaces) unit, away from the inside; of balls, 0."""
+    centres: Planes
+    """(3, surfaces) metres."""
+    radii: Planes
+    """Metres; of boxes, 1."""
+
+
+@cache
+def finish() -> Finish:
+    rows: list[Planes] = [np.zeros(9, np.float32)] * len(WALLS)
+    for thing, _ in NUMBERED:
+        one = isinstance(thing.solid, Sphere)
+        radius = thing.solid.radius if isinstance(thing.solid, Sphere) else 1.0
+        row = (*thing.albedo, thing.gloss, thing.shininess, *thing.solid.centre, radius)
+        rows += [np.array(row, np.float32)] * (1 if one else 6)
+    table = np.ascontiguousarray(np.stack(rows, axis=1))
+    normals = np.zeros((3, table.shape[1]), np.float32)
+    normals[:, :FIRST_BALL] = FACES.normals.T
+    normals[:, : len(WALLS)] *= -1
+    return Finish(table[:3], table[3], table[4], normals, table[5:8], table[8])
+
+
+def normals_of(surface: Surfaces, points: Floats) -> Planes:
+    """(3, H, W) unit normals of surfaces (H, W) at points (H, W, 3) in metres."""
+    looks = finish()
+    normals = looks.normals.take(surface, axis=1)
+    ball = surface >= FIRST_BALL
+    own = surface[ball]
+    normals[:, ball] = (points[ball].T - looks.centres.take(own, axis=1)) / looks.radii.take(own)
+    return normals
+
+
+@dataclass(frozen=True, slots=True)
+class Samples:
+    """Rays through places of a picture, and what they meet."""
+
+    camera: Camera
+    x: Floats
+    """(n,) columns."""
+    y: Floats
+    """(n,) rows."""
+    depth: Floats
+    """(n,) metres."""
+    width: Floats
+    """(n,) of the square of which a sample is the middle: metres, at its depth, for each metre of
+    the focal length."""
+    surface: Surfaces
+    """(n,) number of the surface."""
+
+    def at(self, numbers: Numbers) -> "Samples":
+        return Samples(
+            self.camera,
+            self.x.take(numbers),
+            self.y.take(numbers),
+            self.depth.take(numbers),
+            self.width.take(numbers),
+            self.surface.take(numbers),
+        )
+
+
+def radiance(samples: Samples, arriving: LightMap | TracedLight, lighting: Lighting) -> Planes:
+    """(3, n) linear RGB."""
+    light_there = np.zeros((3, samples.surface.size), np.float32)
+
+    def fill(where: Mask, colours: Callable[..., Planes], *wall: int) -> None:
+        if (at := np.flatnonzero(where)).size:
+            found = colours(samples.at(at), *wall, arriving, lighting)
+            for plane, values in zip(light_there, found, strict=True):
+                plane[at] = values
+
+    for wall in range(len(WALLS)):
+        fill(samples.surface == wall, _wall, wall)
+    fill((samples.surface >= len(WALLS)) & (samples.surface != NOTHING), _things)
+    return light_there
+
+
+def _wall(
+    samples: Samples, wall: int, arriving: LightMap | TracedLight, lighting: Lighting
+) -> Planes:
+    """(3, n) light from a wall."""
+    u, v = ALONG[wall]
+    (across, wide), (along, high) = (_on_wall(samples, axis, wall) for axis in (u, v))
+    means = albedo(wall, across, along, wide, high)
+    normal = finish().normals[:, wall]
+    lamp, upright, gain, sky = lighting.colours
+    direct = lamp * np.maximum(normal @ lighting.towards, 0)
+    around = upright + gain * normal[2]
+    colours = means[:3] * (direct + around)[:, None]
+    (left, right), (bottom, top) = arriving.bounds[wall].tolist()
+    near = (across > left) & (across < right) & (along > bottom) & (along < top)
+    if (at := np.flatnonzero(near)).size:
+        points = np.zeros((3, at.size), np.float32)
+        across.take(at, out=points[u])
+        along.take(at, out=points[v])
+        seen, open_ = arriving.on_flat(np.array([wall]), points, normal[:, None])
+        for channel, plane in enumerate(colours):
+            arrives = direct[channel] * seen + around[channel] * open_
+            plane[at] = means[channel].take(at) * arrives
+    if len(means) > 3:
+        colours += sky[:, None] * means[3]
+    return colours
+
+
+def _on_wall(samples: Samples, axis: int, wall: int) -> tuple[Floats, Floats]:
+    """A coordinate (n,) of what is seen on a wall, and its change over a pixel; metres.
+
+    The width is that of a box with the variance of the pixel's square along the coordinate.
+    """
+    camera = samples.camera
+    face = camera.faces[wall]
+    row = (camera.turn[axis] + camera.eye[axis] * face).astype(np.float32)
+    place = linear(row, samples.x, samples.y)
+    place *= samples.depth
+    (a, b, _), (p, q, _) = row, face
+    right, down = a - p * place, b - q * place
+    right *= right
+    down *= down
+    right += down
+    wide = np.sqrt(right, out=right)
+    wide *= samples.width
+    return place, wide
+
+
+def _things(samples: Samples, arriving: LightMap | TracedLight, lighting: Lighting) -> Planes:
+    """(3, n) light from boxes and balls."""
+    looks, surface = finish(), samples.surface.astype(np.intp)
+    directions = samples.camera.directions(samples.x, samples.y)
+    points = directions * samples.depth
+    points += samples.camera.eye.astype(np.float32)[:, None]
+    normals, colours = looks.normals.take(surface, axis=1), looks.albedo.take(surface, axis=1)
+    shares, ball = np.empty((2, surface.size), np.float32), surface >= FIRST_BALL
+    if (boxes := np.flatnonzero(~ball)).size:
+        met, facing = points.take(boxes, axis=1), normals.take(boxes, axis=1)
+        shares[:, boxes] = arriving.on_flat(surface[boxes], met, facing)
+    if (balls := np.flatnonzero(ball)).size:
+        round_, met = surface[balls], points.take(balls, axis=1)
+        outwards = (met - looks.centres.take(round_, axis=1)) / looks.radii.take(round_)
+        normals[:, balls] = outwards
+        shares[:, balls] = arriving.on_ball(round_, met, outwards)
+    for thing, first in NUMBERED:
+        if thing.second_albedo and (own := np.flatnonzero(surface == first)).size:
+            stripes_of = (part.take(own, axis=1) for part in (directions, normals))
+            colours[:, own] = _striped(thing, samples.at(own), *stripes_of)
+    return _lit(surface, directions, normals, colours, shares, lighting)
+
+
+def _lit(
+    surface: Numbers,
+    directions: Floats,
+    normals: Floats,
+    colours: Planes,
+    shares: Floats,
+    lighting: Lighting,
+) -> Planes:
+    """(3, n) light from things of these colours (3, n), with highlights where they are glossy."""
+    lamp, upright, gain, _ = lighting.colours[:, :, None]
+    direct = lamp * (np.maximum(lighting.towards @ normals, 0) * shares[0])
+    direct += upright * shares[1]
+    direct += gain * (normals[2] * shares[1])
+    direct *= colours
+    gloss = finish().gloss.take(surface)
+    if (at := np.flatnonzero(gloss)).size:
+        to_eye = -directions.take(at, axis=1)
+        to_eye /= np.sqrt(np.einsum("in,in->n", to_eye, to_eye))
+        highlight = blinn_phong(
+            normals.take(at, axis=1).T,
+            lighting.towards,
+            to_eye.T,
+            albedo=0.0,
+            specular=gloss.take(at),
+            shininess=finish().shininess.take(surface.take(at)),
+        )
+        highlight *= shares[0].take(at)
+        for plane, colour in zip(direct, lamp, strict=True):
+            plane[at] += colour * highlight
+    return direct
+
+
+def _striped(thing: Thing, samples: Samples, directions: Floats, normals: Floats) -> Planes:
+    """(3, n) colours of a striped ball. A pixel's footprint on it is that on its tangent plane."""
+    assert isinstance(thing.solid, Sphere)
+    assert thing.second_albedo is not None
+    axis = STRIPES_AXIS.astype(np.float32)
+    sine = np.clip(axis @ normals, -1.0, 1.0)
+    facing = np.minimum(np.einsum("in,in->n", normals, directions), -LEAST_COSINE)
+    along = axis @ directions / facing
+    squares = np.zeros_like(sine)
+    for step in samples.camera.turn.T[:2].astype(np.float32):
+        squares += np.square(axis @ step - along * (step @ normals))
+    slope = np.sqrt(squares / np.maximum(1.0 - sine * sine, LEAST_COSINE**2))
+    per_rad = thing.stripe_count / math.pi
+    pixel = samples.width * np.float32(per_rad / thing.solid.radius) * slope
+    share = stripes(np.arcsin(sine) * np.float32(per_rad), 2.0, 1.0, np.maximum(pixel, NARROWEST))
+    first, second = (np.array(each, np.float32) for each in (thing.albedo, thing.second_albedo))
+    return first[:, None] + np.multiply.outer(second - first, share.astype(np.float32))
