@@ -1,7 +1,7 @@
 """Light on the still life: one large distant lamp with soft shadows, and ambient light."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 import numpy as np
@@ -9,8 +9,8 @@ import numpy as np
 from simulations.models.arrays import Floats, Planes
 from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
-from simulations.models.light.soft_shadows import shadow_bounds, visibility
-from simulations.world.surfaces import Surface, windows_between
+from simulations.models.light.soft_shadows import penumbra, shadow_bounds, smooth_ramp
+from simulations.world.surfaces import Surface, Window, windows_between
 from simulations.world.things import THINGS, Thing
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
@@ -64,9 +64,33 @@ def shadow_corners(solid: Sphere | Box, lamp: Vector) -> tuple[Floats, Floats]:
 def lamp_seen(points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1) -> Floats:
     """Share (H, W) of the lamp that the things do not hide from points (H, W, 3)."""
     seen = np.ones(points.shape[:2])
+    for window, place in _penumbras(points, lamp, things, stride):
+        seen[window] *= smooth_ramp(place)
+    return seen
+
+
+def lamp_penumbra(points: Floats, lamp: Vector, things: Sequence[Thing], beyond: float) -> Floats:
+    """Place (H, W) of points in the penumbra of all things, from -``beyond`` to 1 + ``beyond``, of
+    which the share of the lamp is the `smooth_ramp`.
+
+    In the penumbra of one thing it is that of the thing. It changes evenly where the light does
+    not, so that a map of it keeps the edges of shadows between its nodes.
+    """
+    seen, least = np.ones(points.shape[:2]), np.full(points.shape[:2], 1 + beyond)
+    for window, place in _penumbras(points, lamp, things):
+        seen[window] *= smooth_ramp(place)
+        least[window] = np.minimum(least[window], place)
+    between = (least > 0) & (least < 1)
+    least[between] = 0.5 - np.sin(np.arcsin(1 - 2 * seen[between]) / 3)  # smooth_ramp's inverse
+    return np.maximum(least, -beyond)
+
+
+def _penumbras(
+    points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1
+) -> Iterator[tuple[Window, Floats]]:
+    """The places in the penumbra of each thing, in the window that its shadow may reach."""
     solids = [thing.solid for thing in things]
     corners = [shadow_corners(solid, lamp) for solid in solids]
     for solid, near in zip(solids, windows_between(points, corners, stride), strict=True):
         if near is not None:
-            seen[near] *= visibility(solid, points[near], lamp, LAMP_RADIUS_RAD)
-    return seen
+            yield near, penumbra(solid, points[near], lamp, LAMP_RADIUS_RAD)

@@ -15,16 +15,21 @@ import numpy as np
 
 from simulations.models.arrays import Floats, Planes
 from simulations.models.light.raycasting import Box, Sphere, Vector
-from simulations.models.light.soft_shadows import bounding_radius
+from simulations.models.light.soft_shadows import bounding_radius, smooth_ramp
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
-from simulations.world.light import lamp_direction, lamp_seen, shadow_corners
+from simulations.world.light import lamp_direction, lamp_penumbra, lamp_seen, shadow_corners
 from simulations.world.surfaces import sky_seen, windows_between
 from simulations.world.things import Thing
 from simulations.world.tracing import FACES, NUMBERED, Numbers
 from simulations.world.walls import ALONG
 
-FINE_M, COARSE_M = 0.02, 0.16
-"""Spacings of the nodes on flat surfaces."""
+FINE_M = 0.02
+"""Spacing of the nodes on walls and floor."""
+IN_SHADOW, IN_LIGHT = 0.5, 4.0
+"""Spacings on the faces of things, relative to that: where the shadow of another may fall, which
+is sharp so near to it, and where none does."""
+BEYOND = 4.0
+"""How far beyond both ends of a penumbra the map goes on, in widths of it."""
 REACH = 3.0
 """Radii beyond which a ball's shadow in the light of the surroundings is ignored."""
 LEAST_NODES = 16
@@ -93,7 +98,9 @@ class LightMap:
         low = _between(self.shares.take(node, axis=1), self.shares.take(node + 1, axis=1), b)
         node += across.astype(np.intp)
         high = _between(self.shares.take(node, axis=1), self.shares.take(node + 1, axis=1), b)
-        return _between(low, high, a)
+        shares = _between(low, high, a)
+        shares[0] = smooth_ramp(shares[0])
+        return shares
 
 
 def _between(first: Floats, second: Floats, share: Floats) -> Floats:
@@ -160,7 +167,7 @@ def light_map(light_angle: float, spacing: float = FINE_M) -> LightMap:
         for wall, (low, high) in enumerate(bounds.swapaxes(1, 2))
     ]
     for thing, first in NUMBERED:
-        patches = _patches_of(thing, first, spacing)
+        patches = _patches_of(thing, first, spacing, lamp)
         parts.append((patches, tuple(other for other in ROOM if other is not thing)))
     shares = np.concatenate([_shares(patches, others, lamp) for patches, others in parts], axis=1)
     every = [patch for patches, _ in parts for patch in patches]
@@ -186,7 +193,7 @@ def _shares(patches: Sequence[Patch], others: Sequence[Thing], lamp: Vector) -> 
             for arrays in zip(*((patch.points, patch.normals) for patch in patches), strict=True)
         )
     points = _uncovered(points, normals, others)
-    seen = lamp_seen(points, lamp, others)
+    seen = lamp_penumbra(points, lamp, others, BEYOND)
     openness = sky_seen(points, normals, others, REACH)
     return np.stack([seen.ravel(), openness.ravel()]).astype(np.float32)
 
@@ -234,17 +241,30 @@ def covered(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
     return np.maximum(low, least), np.minimum(high, most)
 
 
-def _patches_of(thing: Thing, first: int, spacing: float) -> list[Patch]:
+def _patches_of(thing: Thing, first: int, spacing: float, lamp: Vector) -> list[Patch]:
     solid = thing.solid
     if isinstance(solid, Sphere):
         return [_round(solid, spacing)]
-    axes, size, patches = solid.world_to_box, np.asarray(solid.size), []
+    axes, patches = solid.world_to_box, []
+    places, reach = axes @ np.asarray(solid.centre), np.asarray(solid.size) / 2
     for face in range(6):
         along = [(face // 2 + 1) % 3, (face // 2 + 2) % 3]
-        middle = axes[along] @ np.asarray(solid.centre)
-        reach = size[along] / 2
-        patches.append(_flat(first + face, axes[along], middle - reach, middle + reach, spacing))
+        bounds = places[along] - reach[along], places[along] + reach[along]
+        coarse = _flat(first + face, axes[along], *bounds, IN_LIGHT * spacing)
+        shaded = _in_shadow(coarse, lamp, [other for other in ROOM if other is not thing])
+        patches.append(
+            _flat(first + face, axes[along], *bounds, IN_SHADOW * spacing) if shaded else coarse
+        )
     return patches
+
+
+def _in_shadow(patch: Patch, lamp: Vector, others: Sequence[Thing]) -> bool:
+    """Whether a face is turned to the lamp, and the shadow of another thing may fall on it."""
+    if patch.normals[0, 0] @ lamp <= 0:
+        return False
+    first, last = patch.points.min(axis=(0, 1)), patch.points.max(axis=(0, 1))
+    corners = (shadow_corners(other.solid, lamp) for other in others)
+    return any(bool((low < last).all() and (first < high).all()) for low, high in corners)
 
 
 def _flat(surface: int, axes: Floats, low: Floats, high: Floats, spacing: float) -> Patch:

@@ -39,7 +39,7 @@ from simulations.world.tracing import (
     trace,
 )
 
-LEVELS = columns(100, 200, 400)
+LEVELS = columns(160, 240, 400)
 """Pixels across a `photograph`."""
 QUARTERS = np.array([(-0.25, -0.25), (0.25, -0.25), (-0.25, 0.25), (0.25, 0.25)], np.float32)
 """Middles of the quarters of a pixel: columns and rows."""

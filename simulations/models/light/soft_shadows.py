@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, as_floats
 from simulations.models.light.raycasting import (
     LARGEST_M,
     NEARLY_ZERO,
@@ -41,6 +41,17 @@ def visibility(
     ray cuts out of it, which keeps the penumbra inside the exact shadow of a point light. Raises
     `ValueError` for an invalid light, and for points beyond `LARGEST_M`.
     """
+    return smooth_ramp(penumbra(solid, points, to_light, light_radius_rad))
+
+
+def penumbra(
+    solid: Sphere | Box, points: ArrayLike, to_light: ArrayLike, light_radius_rad: float
+) -> Floats:
+    """Place (...) of each point in the penumbra, of which `visibility` is the `smooth_ramp`: from 0
+    at the end of the full shadow to 1 at the end of the full light, and on beyond both.
+
+    It is ∞ before the solid, as seen from the light. Parameters and errors as for `visibility`.
+    """
     at, light = np.asarray(points, float), np.asarray(to_light, float)
     _check_light(light.tolist(), light_radius_rad)
     _check_points(at)
@@ -53,8 +64,8 @@ def visibility(
             clearance = np.sqrt(np.maximum(square, 0.0)) - solid.radius
             width = np.maximum(np.maximum(along, NEARLY_ZERO) * spread, TINY)
             with np.errstate(over="ignore"):
-                lit = _smooth(0.5 + 0.5 * clearance / width)
-            return np.where(along > 0, lit, 1.0)
+                place = 0.5 + 0.5 * clearance / width
+            return np.where(along > 0, place, np.inf)
         case Box():
             start = (at - solid.centre) @ solid.world_to_box.T
             direction = solid.world_to_box @ light
@@ -63,7 +74,7 @@ def visibility(
             chord = -largest_component(-exits) - entry
             width = np.maximum(2.0 * np.maximum(entry, 0.02) * spread, TINY)
             with np.errstate(over="ignore"):
-                return 1.0 - _smooth(chord / width)
+                return 1.0 - chord / width
 
 
 def shadow_bounds(
@@ -99,9 +110,9 @@ def bounding_radius(solid: Sphere | Box) -> float:
     return solid.radius if isinstance(solid, Sphere) else 0.5 * math.hypot(*solid.size)
 
 
-def _smooth(ramp: Floats) -> Floats:
+def smooth_ramp(place: ArrayLike) -> Floats:
     """0 below 0, 1 above 1, a cubic with horizontal ends between."""
-    held = np.clip(ramp, 0.0, 1.0)
+    held = np.clip(as_floats(place), 0.0, 1.0)
     return held * held * (3.0 - 2.0 * held)
 
 
