@@ -12,6 +12,12 @@ from simulations.engine.controls import Value
 from simulations.engine.frame import Readout
 from simulations.engine.stages import Outputs
 
+WITHIN: Mapping[str, Mapping[str, float]] = {
+    "codes": {"within-half-code": 0.5, "within-code": 1.0},
+    "px": {"within-tenth-pixel": 0.1},
+}
+"""Errors that a reader may allow, by unit and name."""
+
 
 @dataclass(frozen=True, slots=True)
 class Level:
@@ -55,10 +61,18 @@ class Accuracy[S]:
     estimate: Callable[[S, Outputs, str], Iterator[Readout]] | None = None
     """Yields better and better estimates of the error of a frame in a tier, with a unit. Called
     while nothing moves; each step must be short."""
+    unit: str = ""
+    """Unit of the estimates, if readers may choose the cheapest level within an error: one of
+    `WITHIN`."""
 
     def __post_init__(self) -> None:
         if self.levels and not self.default:
             object.__setattr__(self, "default", self.levels[-1].name)
+
+    @property
+    def within(self) -> Mapping[str, float]:
+        """Errors within which readers may have the cheapest level, by name."""
+        return WITHIN.get(self.unit, {})
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -82,6 +96,8 @@ class Accuracy[S]:
             yield f"levels {names}; legal: a name for each"
         if self.default not in (*names, ""):
             yield f"default level {self.default!r}; legal: {names}"
+        if self.unit and not (self.unit in WITHIN and self.estimate and self.levels):
+            yield f"unit {self.unit!r}; legal: {', '.join(WITHIN)}, with levels and an estimate"
         for level in self.levels:
             if not self.ladder and not level.label:
                 yield f"level {level.name!r} has no label, and no ladder that has one"

@@ -343,7 +343,11 @@ SCENE = Scene(
     ),
     instrument=Instrument(photograph=(COLUMNS_PX, ROWS_PX)),
     accuracy=Accuracy(
-        levels=tiers(*TRANSFORMS), default="separable", ladder="block-dct", estimate=estimate
+        levels=tiers(*TRANSFORMS),
+        default="separable",
+        ladder="block-dct",
+        estimate=estimate,
+        unit="codes",
     ),
     formula=quantise_plane,
 )

@@ -51,8 +51,8 @@ NOTHING = 1e-9
 """Errors below this are alike, zero included."""
 WIDTH = 100
 """Most characters in a line of the recorded files."""
-ONE_LINE = ("draws",)
-"""Names of long lists of numbers that nobody reads."""
+ONE_LINE = ("draws", "levels")
+"""Names of many numbers that nobody reads."""
 
 type Draws = Mapping[str, Mapping[str, Sequence[float]]]
 """Errors by metric, tier and draw."""

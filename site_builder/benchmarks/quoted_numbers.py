@@ -143,6 +143,18 @@ def read_stage_costs(root: Path, scene: Scene[Any]) -> StageCosts:
         raise MeasurementError(f"{STAGE_DATA}: {scene.id}: {reason}; {REMEASURE}") from None
 
 
+type LevelCosts = Mapping[str, Mapping[str, float]]
+"""Milliseconds of a frame by level and by the control that moved; of no control, from scratch."""
+
+
+def read_level_costs(root: Path, scene_id: str) -> LevelCosts:
+    """What the page expects of a device at first; empty where nothing was measured."""
+    try:
+        return json.loads((root / STAGE_DATA).read_text(encoding="utf-8"))[scene_id]["levels"]  # type: ignore[no-any-return]
+    except (OSError, ValueError, KeyError, TypeError):
+        return {}
+
+
 def _move(
     scene: Scene[Any], start: Mapping[str, object], control: str, cost: Mapping[str, Any]
 ) -> MoveCost:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from markupsafe import Markup
 
+from site_builder.benchmarks.quoted_numbers import read_level_costs
 from site_builder.document.blocks import Block, Simulation, contents
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.figures.initial_frames import InitialFrames, describing
@@ -107,9 +108,9 @@ def render_page(
     figures = chapter.simulations if chapter else ()
 
     def simulation_view(figure: Simulation) -> SimulationView:
-        return view_simulation(
-            site.initial_frames[figure.path, figure.line], assets, site.book.words
-        )
+        recorded = read_level_costs(site.root, figure.scene.id)
+        still = site.initial_frames[figure.path, figure.line]
+        return view_simulation(still, assets, site.book.words, recorded)
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")

@@ -1,5 +1,7 @@
-"""The cost of moving one control, as a share of a whole frame:
-``PYTHONPATH=tests python -m bench.stage_costs``.
+"""The cost of moving one control: ``PYTHONPATH=tests python -m bench.stage_costs``.
+
+Of the camera as a share of a whole frame, for the book's table; of every scene with levels at each
+of them, from which pages expect the first times of a device.
 
 The frame after the move and the same frame with an empty cache are computed alternately, so that
 other work on the machine affects both; the fastest of each counts, in processor time. The results
@@ -10,11 +12,11 @@ import time
 from pathlib import Path
 from typing import Any
 
-from simulations.engine.controls import Value
+from simulations.engine.controls import Slider, Value
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
-from simulations.registry import load_scene
-from site_builder.benchmarks.measuring import write
+from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.benchmarks.measuring import significant, write
 
 DATA = Path(__file__).resolve().parents[2] / "content" / "stage-costs.json"
 PAIRS = 9
@@ -35,10 +37,16 @@ MOVES: dict[str, Value] = {
 """One step of each slider, from the cheapest to the costliest."""
 
 
-def time_frame(given: dict[str, Value], cache: StageCache) -> float:
-    settings = SCENE.check(given)
+TIMES = 3
+"""Frames of each control and level, of which the fastest counts."""
+
+
+def time_frame(
+    given: dict[str, Value], cache: StageCache, scene: Scene[Any] = SCENE, level: str = ""
+) -> float:
+    settings = scene.check(given)
     begun = time.process_time()
-    SCENE.render(settings, SCENE.accuracy.default, cache)
+    scene.render(settings, level, cache)
     return (time.process_time() - begun) * 1e3
 
 
@@ -57,13 +65,37 @@ def measure_move(moved: dict[str, Value]) -> dict[str, float]:
     }
 
 
+def level_costs(scene: Scene[Any], level: str) -> dict[str, float]:
+    """Milliseconds of a frame from scratch, named by nothing, and after a step of each slider."""
+    sliders = [control for control in scene.controls if isinstance(control, Slider)]
+    time_frame({}, StageCache(), scene, level)
+    found = {"": min(time_frame({}, StageCache(), scene, level) for _ in range(TIMES))}
+    for slider in sliders:
+        cache = StageCache()
+        time_frame({}, cache, scene, level)
+        back = -1 if slider.default + TIMES * slider.step > slider.maximum else 1
+        places = [slider.default + back * slider.step * k for k in range(1, TIMES + 1)]
+        found[slider.name] = min(
+            time_frame({slider.name: place}, cache, scene, level)
+            for place in places
+            if slider.minimum <= place <= slider.maximum
+        )
+    return {name: significant(ms, 3) for name, ms in found.items()}
+
+
 def main() -> None:
     time_frame(START, StageCache())  # prepares tables that are computed only once
     moves = {}
     for control, value in MOVES.items():
         moves[control] = {"to": value, **measure_move({control: value})}
         print(f"{control} {moves[control]}")
-    write({SCENE.id: {"start": START, "moves": moves}}, DATA)
+    data: dict[str, dict[str, Any]] = {SCENE.id: {"start": START, "moves": moves}}
+    for scene in map(load_scene, SCENE_MODULES):
+        levels = {name: level_costs(scene, name) for name in scene.accuracy.names}
+        if levels:
+            print(f"{scene.id} {levels}")
+            data[scene.id] = {**data.get(scene.id, {}), "levels": levels}
+    write(data, DATA)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Settings of one figure: drafts, stated accuracy, links and addresses that set it, highlights, and
+"""Settings of one figure: levels, stated accuracy, links and addresses that set it, highlights, and
 screen readers."""
 
 import json
@@ -6,10 +6,12 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, expect
-from support.page_scripts import SILENT_WORKER
+from support.page_scripts import SILENT_WORKER, SLOWED
 from support.reader import Reader, step
 
+from simulations.models.distortion.lens_model import Distortion
 from simulations.registry import load_scene
+from simulations.scenes.lens_distortion.stages import inversion_error_px
 
 pytestmark = pytest.mark.browser
 
@@ -31,7 +33,7 @@ def test_drag_stays_within_the_chosen_level_and_settles_in_it(
 ) -> None:
     levels = load_scene(scene).accuracy.names
     figure = guest.figure_at_rest(book, scene)
-    if figure.get_attribute("data-tier") != chosen:
+    if figure.get_attribute("data-level") != chosen:
         guest.choose(figure, "tier", chosen)
         guest.settle(figure)
     guest.open_controls(figure)
@@ -40,11 +42,56 @@ def test_drag_stays_within_the_chosen_level_and_settles_in_it(
     mouse.move(box["x"] + 0.6 * box["width"], box["y"] + box["height"] / 2)
     with guest.next_frame(figure):
         mouse.down()
-    moving = figure.get_attribute("data-tier") or ""
+    moving = figure.get_attribute("data-level") or ""
     assert levels.index(moving) <= levels.index(chosen)
     mouse.up()
     guest.settle(figure)
-    assert figure.get_attribute("data-tier") == chosen
+    assert figure.get_attribute("data-level") == chosen
+
+
+def test_slow_figure_moves_at_a_cheaper_level_and_says_so(guest: Reader, book: Any) -> None:
+    figure = guest.figure_at_rest(book, "tiled-floor")
+    assert figure.locator("[name=tier] option").first.get_attribute("value") == "automatic"
+    assert values(figure, "tier") == ["automatic"]
+    assert figure.get_attribute("data-level") == "640"
+    guest.open_stage_report(figure)
+    figure.evaluate(SLOWED, {"640": 150, "320": 60})
+    box = guest.scroll_to(figure.locator("[name=pitch]"))
+    mouse, y = guest.page.mouse, box["y"] + box["height"] / 2
+    mouse.move(box["x"] + 0.4 * box["width"], y)
+    mouse.down()
+    for share in range(40, 80):
+        mouse.move(box["x"] + share / 100 * box["width"], y)
+        guest.page.wait_for_timeout(25)
+    with step("frames come at the level that is in time"):
+        levels = figure.evaluate("figure => figure.levels")
+        assert len(levels) > 10
+        assert levels[-3:] == ["160"] * 3
+        assert int(figure.get_attribute("data-late") or "0") >= 2
+    mouse.up()
+    guest.settle(figure)
+    with step("the figure rests at its default, and says what was shown"):
+        assert figure.get_attribute("data-level") == "640"
+        report = figure.locator(".moving").inner_text()
+        assert "160 columns" in report
+        assert "320 columns would take" in report
+    figure.evaluate("figure => figure.unslowed()")
+
+
+def test_automatic_within_an_error_takes_the_cheapest_level_that_keeps_it(
+    guest: Reader, book: Any
+) -> None:
+    scene = load_scene("lens-distortion")
+    figure = guest.figure_at_rest(book, scene.id)
+    figure.locator("[name=k1]").fill("-0.3")
+    guest.settle(figure)
+    guest.choose(figure, "tier", "within-tenth-pixel")
+    given = {"k1": -0.3, "k2": float(values(figure, "k2")[0])}
+    lens = Distortion(**given)
+    errors = {level: inversion_error_px(lens, level) for level in scene.accuracy.names}
+    cheapest = next(level for level, error in errors.items() if error <= 0.1)
+    assert cheapest != scene.accuracy.default
+    expect(figure).to_have_attribute("data-level", cheapest)
 
 
 def test_error_is_stated_at_rest_by_tier_and_never_for_another_frame(
@@ -199,7 +246,7 @@ def test_address_sets_only_its_figure_and_invalid_parts_are_named(
     figure = open_at(visitor, k1="-0.3", picture="chart", tier="newton-5", correct="true")
     assert values(figure, "k1", "picture", "tier") == ["-0.3", "chart", "newton-5"]
     assert figure.locator("[name=correct]").is_checked()
-    assert figure.get_attribute("data-tier") == "newton-5"
+    assert figure.get_attribute("data-level") == "newton-5"
     assert figure.locator("output[name=corner]").inner_text() == "−60.0"
     assert values(visitor.page.locator("#figure-two-coefficients"), "k1", "k2") == ["-0.2", "0.2"]
     assert not figure.locator(".figure-status").is_visible()
@@ -213,7 +260,7 @@ def test_address_sets_only_its_figure_and_invalid_parts_are_named(
         figure = open_at(visitor, **meaningless)
         names = ("k1", "k2", "picture")
         assert values(figure, *names) == starts(figure, *names)
-        assert values(figure, "tier") == ["closed-form"]
+        assert values(figure, "tier") == ["automatic"]
         message = figure.locator(".figure-message").inner_text()
         assert all(f"{name}=" in message for name in meaningless)
     figure.locator("[name=k1]").fill("0.1")

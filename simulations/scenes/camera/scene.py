@@ -235,6 +235,6 @@ SCENE = Scene(
         ),
         Handle("lamp", "plan", "Lamp", ("light_angle",), lamp_at, role="light"),
     ),
-    accuracy=Accuracy(levels=LEVELS, default="layers", estimate=estimate),
+    accuracy=Accuracy(levels=LEVELS, default="layers", estimate=estimate, unit="codes"),
     parameters=parameters,
 )

@@ -211,7 +211,11 @@ SCENE = Scene(
     stages.STAGES,
     HANDLES,
     accuracy=Accuracy(
-        levels=stages.LEVELS, default="layered", ladder="depth-of-field", estimate=estimate
+        levels=stages.LEVELS,
+        default="layered",
+        ladder="depth-of-field",
+        estimate=estimate,
+        unit="codes",
     ),
     parameters=parameters,
     formula=thin_lens.circle_of_confusion_mm,

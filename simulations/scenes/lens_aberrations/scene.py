@@ -254,6 +254,7 @@ SCENE = Scene(
         default="even-16",
         ladder="chromatic-aberration",
         estimate=estimate,
+        unit="codes",
     ),
     formula=lateral_chromatic_scale,
 )

@@ -179,7 +179,11 @@ SCENE = Scene(
     ),
     instrument=Instrument(photograph=PHOTOGRAPH_PX),
     accuracy=Accuracy(
-        levels=tiers(*TIERS), default="closed-form", ladder="inverse-strong", estimate=estimate
+        levels=tiers(*TIERS),
+        default="closed-form",
+        ladder="inverse-strong",
+        estimate=estimate,
+        unit="px",
     ),
     parameters=lambda settings, _: {"margin": needs_margin(settings.k1, settings.k2)},
     formula=distort,

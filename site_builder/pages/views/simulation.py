@@ -13,6 +13,7 @@ from simulations.engine.message import Message
 from simulations.engine.photograph import Whole
 from simulations.registry import level_labels, load_ladder
 from site_builder.benchmarks.judgements import with_unit
+from site_builder.benchmarks.quoted_numbers import LevelCosts
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Chapter
 from site_builder.figures.initial_frames import InitialFrame, InitialFrames
@@ -26,8 +27,8 @@ CONTROL_KINDS = ENGINE / "simulations" / "engine" / "controls"
 """Where the kinds of controls lie."""
 IN_SIGHT = 3
 """Controls, and readouts, that a figure shows at first; the others are folded."""
-TIER = "tier"
-"""Name of the menu of accuracies."""
+TIER, AUTOMATIC = "tier", "automatic"
+"""Name of the menu of accuracies, and its first entry."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +152,9 @@ class SimulationView:
     """Readouts in sight."""
     folded_readouts: tuple[Readout, ...]
     tiers: tuple[tuple[str, str], ...]
-    """Id and label of each accuracy, cheap to dear."""
+    """Name and label of each level, cheap to accurate."""
+    tier: str
+    """What the menu of levels says at first."""
     stages: tuple[StageReport, ...]
     stages_text: str
     schema: str
@@ -180,9 +183,13 @@ class SimulationView:
 
 
 def view_simulation(
-    initial_frame: InitialFrame, assets: str, words: Words = ENGLISH
+    initial_frame: InitialFrame,
+    assets: str,
+    words: Words = ENGLISH,
+    recorded: LevelCosts | None = None,
 ) -> SimulationView:
-    """``assets`` is the address of the assets folder, relative to the page."""
+    """``assets`` is the address of the assets folder, relative to the page; ``recorded`` are the
+    milliseconds of frames by level and control."""
     figure, scene = initial_frame.figure, initial_frame.figure.scene
     frame, tiers = initial_frame.frame, level_labels(scene, _ladder)
     prerendered = initial_frame.prerendered
@@ -206,11 +213,12 @@ def view_simulation(
         readouts=_numerals(readouts, words),
         folded_readouts=_numerals(folded_readouts, words),
         tiers=tiers,
+        tier=menu_tier(figure),
         stages=tuple(
             replace(stage, reason=reason_text(stage.reason, words)) for stage in frame.stages
         ),
         stages_text=count_stages(frame.stages, words),
-        schema=json_for_html(schema(initial_frame)),
+        schema=json_for_html(schema(initial_frame, recorded or {})),
         prerendered=f"{assets}prerendered/{prerendered.file}" if prerendered else "",
         sounds=frame.sound is not None,
         takes_picture=instrument.photograph is not None and not instrument.measures_photographs,
@@ -277,9 +285,14 @@ def _keys(driven: Sequence[Control], words: Words) -> str:
     return words("figure.arrows_both", across=across, along=along)
 
 
-def schema(initial_frame: InitialFrame) -> dict[str, object]:
-    """What the page's script must know of the figure: controls, starting values, levels; of a
-    photograph width and height in px, or most megapixels."""
+def menu_tier(figure: Simulation) -> str:
+    """What the menu of accuracies says at first: a level that the author of the page chose."""
+    return AUTOMATIC if figure.tier == figure.scene.accuracy.default else figure.tier
+
+
+def schema(initial_frame: InitialFrame, recorded: LevelCosts) -> dict[str, object]:
+    """What the page's script must know of the figure: controls, starting values, levels and
+    their times; of a photograph width and height in px, or most megapixels."""
     scene = initial_frame.figure.scene
     photograph = scene.instrument.photograph
     return {
@@ -287,7 +300,10 @@ def schema(initial_frame: InitialFrame) -> dict[str, object]:
         "controls": [describe(control) for control in scene.controls],
         "values": dict(initial_frame.values),
         "tiers": list(scene.accuracy.names),
-        "default_tier": initial_frame.figure.tier,
+        "default_tier": scene.accuracy.default,
+        "tier": menu_tier(initial_frame.figure),
+        "within": dict(scene.accuracy.within),
+        "recorded": dict(recorded),
         "photograph": photograph.most_megapixels if isinstance(photograph, Whole) else photograph,
     }
 

@@ -28,8 +28,14 @@ export interface Schema {
   title: string;
   controls: Control[];
   values: Record<string, Value>;
+  /** The levels, from cheap to accurate; the level at rest of automatic; and what the menu says at first. */
   tiers: string[];
   default_tier: string;
+  tier: string;
+  /** Entries of the menu that choose the cheapest level within an error, and that error. */
+  within: Record<string, number>;
+  /** Milliseconds of frames by level and control, as recorded. */
+  recorded: Record<string, Record<string, number>>;
   /** Width and height in pixels, or the most megapixels of one that is not cut. */
   photograph: [number, number] | number | null;
 }
@@ -83,13 +89,6 @@ export function uncover(form: HTMLFormElement, names: string[]) {
     const fold = form.querySelector(named(name))?.closest("details");
     if (fold) fold.open = true;
   }
-}
-
-/** The tier that the reader chose. */
-export function chosenTier(form: HTMLFormElement, { tiers, default_tier: tier }: Schema) {
-  if (tiers.length === 0) return tier;
-  const menu = { kind: "choice", name: "tier", label: "", default: tier, options: tiers };
-  return String(readValue(form, menu as Control));
 }
 
 export function prefixOf(figure: HTMLElement) {

@@ -11,7 +11,6 @@ import { announcer, clearFailure, say, showFailure, showLive } from "./status.ts
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.ts";
 import {
-  chosenTier,
   type Control,
   fieldOf,
   readValue,
@@ -20,6 +19,7 @@ import {
   writeValue,
 } from "./controls.ts";
 import { Handles, type Pull } from "./handles.ts";
+import { FigureLevels } from "./levels.ts";
 import { Motion, moveInView } from "./motion.ts";
 import { OwnPicture } from "./own_picture.ts";
 import { Painter, takeStills } from "./painter.ts";
@@ -28,11 +28,18 @@ import { attemptTwice, beginAll, retryAll, sayWhatIsAwaited } from "./recovery.t
 import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
 
-/** A frame to compute: of which control values (JSON) and tier, and the time of the reader's event. */
-type Job = { values: string; tier: string; time: number; urgency: number; moving: string };
-
-/** Milliseconds of Python that leave a moving control two display frames. */
-const FRAME_MS = 25;
+/**
+ * A frame to compute: of which control values (JSON), at which level once it begins; the control that
+ * has moved, if one has, and whether it still moves; the time of the reader's event.
+ */
+type Job = {
+  values: string;
+  tier: string;
+  control: string;
+  isMoving: boolean;
+  time: number;
+  urgency: number;
+};
 
 /** A frame that the reader waits for goes before one that only should be ready. */
 const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
@@ -46,10 +53,9 @@ export class LiveFigure {
   #scheduler: LatestWins<Job> = new LatestWins((job) => this.#run(job));
   #listeners = new AbortController();
   #near = false;
-  /** What the last frame was requested for. */
+  /** What the last frame was requested for, and what the last one shows. */
   #asked = "";
-  /** Milliseconds of the last frame, by the control that moved and the level. */
-  #times: Map<string, number> = new Map();
+  #painted = "";
   #sound: Sound | null = null;
   /** Job of an initial frame that was taken for the live one, and is not computed yet. */
   #uncached: Job | null = null;
@@ -62,6 +68,7 @@ export class LiveFigure {
   readonly prerendered: Prerendered;
   readonly announce: (text: string) => void;
   readonly accuracy: Accuracy;
+  readonly levels: FigureLevels;
   readonly motion: Motion;
   readonly own: OwnPicture;
   readonly handles: Handles;
@@ -74,15 +81,20 @@ export class LiveFigure {
     const { signal } = this.#listeners;
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
+    this.levels = new FigureLevels(this.form, this.schema, this.#scene);
     this.painter = new Painter(figure);
     this.prerendered = new Prerendered(this.painter, this.form, this.schema, (places) => {
       this.handles.show(places);
     });
     this.announce = announcer(one(figure, ".description", HTMLElement));
-    this.accuracy = new Accuracy(figure, async ({ values, tier }, urgency) => {
+    const estimate: Accuracy["ask"] = async ({ values, tier }, urgency) => {
       return (await this.runtime.call("error", this.#request(values, tier), urgency)).estimate;
+    };
+    this.accuracy = new Accuracy(figure, this.levels, estimate, () => this.#askAgain());
+    this.motion = new Motion(this.form, this.schema, (control, time, isMoving) => {
+      if (!isMoving) this.levels.settle(control);
+      this.#ask(time, control, isMoving);
     });
-    this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
     this.own = new OwnPicture(figure, this.schema.photograph, () => this.#askAgain(), signal);
     this.#listen(signal);
     const pull = (pull: Pull) => this.#pull(pull);
@@ -118,20 +130,19 @@ export class LiveFigure {
   /** From now on, get frames from another runtime, beginning with the present one. */
   drawnBy(runtime: Caller) {
     this.runtime = runtime;
-    this.#asked = "";
+    this.#asked = this.#painted = "";
     this.#askAgain();
   }
 
   /** The request for the frame of the form's present values. */
   request() {
-    return this.#request(this.#values, this.#tier(""));
+    return this.#request(this.#values, this.levels.rest);
   }
 
   /** Which condition is the first to hold of the form's present values, or a `RuntimeFailure`. */
   async judge(conditions: string[]): Promise<number | null> {
     beginAll();
-    const request = this.#request(this.#values, chosenTier(this.form, this.schema));
-    const judged = { ...request, conditions };
+    const judged = { ...this.request(), conditions };
     return (await this.runtime.call("judge", judged, () => URGENCY.touched)).met;
   }
 
@@ -153,7 +164,7 @@ export class LiveFigure {
     if (this.#waits) say(this.figure, sparingReason(), { begin: true, lasting: true });
     const begin = () => {
       const isNew = !this.#asked && this.figure.dataset.state !== "failed";
-      if (isNew) this.#ask(performance.now(), "", URGENCY.far);
+      if (isNew) this.#ask(performance.now(), "", false, URGENCY.far);
     };
     const { signal } = this.#listeners;
     this.figure.closest("details")?.addEventListener("toggle", begin, { signal });
@@ -222,7 +233,9 @@ export class LiveFigure {
       this.motion.stop();
       showValue(fieldOf(this.form, control.name) as HTMLInputElement, control);
     }
-    this.#ask(event.timeStamp, dragging && isSlider(control) ? control.name : "");
+    const moved = isSlider(control) ? control.name : "";
+    if (moved && !dragging) this.levels.settle(moved);
+    this.#ask(event.timeStamp, moved, dragging && moved !== "");
   }
 
   #pressed(event: Event) {
@@ -233,38 +246,34 @@ export class LiveFigure {
     } else {
       const state = Number(readValue(this.form, control));
       writeValue(this.form, control, (state + 1) % control.labels.length);
-      this.#ask(event.timeStamp, "");
+      this.#ask(event.timeStamp);
     }
   }
 
   #askAgain() {
-    this.#ask(performance.now(), "");
+    this.#ask(performance.now());
   }
 
   /**
    * Request the frame of the form's present values, unless it was the last one requested.
    *
-   * @param moving Name of the control that moves, if one does.
+   * @param control Name of the control that has moved, if one has.
+   * @param isMoving Whether it goes on.
    */
-  #ask(time: number, moving: string, urgency: number = URGENCY.touched) {
+  #ask(time: number, control = "", isMoving = false, urgency: number = URGENCY.touched) {
     if (!this.figure.isConnected || this.#waits || this.#isFolded) return;
     const { dataset } = this.figure;
     if (dataset.state === "still") dataset.state = "starting";
-    const [values, tier] = [this.#values, this.#tier(moving)];
-    const asked = `${values} ${tier} ${this.own.key}`;
+    const [values, tier] = [this.#values, this.levels.rest];
+    const asked = `${this.#what(values, tier)} ${isMoving}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
-    this.#scheduler.submit({ values, tier, time, urgency, moving });
+    this.#scheduler.submit({ values, tier, control, isMoving, time, urgency });
   }
 
-  /** The level chosen; while a control moves, the most accurate below it that was not slow. */
-  #tier(moving: string) {
-    const chosen = chosenTier(this.form, this.schema);
-    const { tiers } = this.schema;
-    if (!moving || tiers.length === 0) return chosen;
-    const levels = tiers.slice(0, tiers.indexOf(chosen) + 1);
-    const isQuick = (tier: string) => (this.#times.get(`${moving} ${tier}`) ?? 0) < FRAME_MS;
-    return levels.findLast(isQuick) ?? levels[0];
+  /** What a frame shows. */
+  #what(values: string, tier: string) {
+    return `${values} ${tier} ${this.own.key}`;
   }
 
   #request(values: string, tier: string) {
@@ -272,6 +281,9 @@ export class LiveFigure {
   }
 
   async #run(job: Job) {
+    // At the last moment, when the time of the frame before is known.
+    if (job.isMoving) job.tier = this.levels.moving(job.control, performance.now());
+    if (this.#what(job.values, job.tier) === this.#painted) return;
     const attempt = async () => {
       await this.own.handOver(this.runtime, this.#key);
       if (!(await this.#adopt(job))) await this.#render(job);
@@ -282,7 +294,7 @@ export class LiveFigure {
     stop();
     if (error === undefined || !this.figure.isConnected) return;
     this.motion.stop();
-    this.#asked = "";
+    this.#asked = this.#painted = "";
     showFailure(this.figure, error);
   }
 
@@ -312,6 +324,7 @@ export class LiveFigure {
       this.prerendered.end();
       takeStills(this.figure);
       clearFailure(this.figure);
+      this.#painted = this.#what(job.values, job.tier);
       showLive(this.figure, job, 0);
       this.#uncached = job;
       setTimeout(() => this.#cache()); // once this job is done and the figure rests
@@ -334,14 +347,15 @@ export class LiveFigure {
     if (this.figure.dataset.frames !== "1" || !this.rests) return;
     this.stages = JSON.parse(meta).stages;
     this.figure.dataset.computeMs = computeMs.toFixed(1);
-    this.accuracy.shown(job, computeMs, true);
+    this.#learn(job, computeMs);
+    this.accuracy.shown({ ...job, own: this.own.key }, computeMs);
     this.figure.dispatchEvent(new Event("painted"));
   }
 
   /** What a pull at a handle means for the controls: the hand waits for it before all else. */
   async #pull(pull: Pull) {
     if (this.#waits) throw new RuntimeFailure("start", sparingReason());
-    const request = this.#request(pull.values, this.figure.dataset.tier ?? "");
+    const request = this.#request(pull.values, this.figure.dataset.level ?? "");
     return this.runtime.call("pull", { ...request, ...pull }, () => URGENCY.held);
   }
 
@@ -351,13 +365,20 @@ export class LiveFigure {
     this.painter.paint(meta, reply.rasters);
     this.stages = meta.stages;
     this.#sound = soundOf(reply);
-    this.#times.set(`${job.moving} ${job.tier}`, reply.computeMs);
     this.handles.show(meta.handles);
     showStages(this.figure, meta.stages);
-    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
+    this.#painted = this.#what(job.values, job.tier);
+    const isFirst = this.figure.dataset.frames === "0";
     this.announce(meta.description);
     clearFailure(this.figure);
     showLive(this.figure, job, reply.computeMs);
+    if (isFirst) this.#learn({ ...job, control: "" }, reply.computeMs);
+    else if (job.control) this.#learn(job, performance.now() - job.time);
+    this.accuracy.shown({ ...job, own: this.own.key }, reply.computeMs);
+  }
+
+  #learn({ control, tier, isMoving }: Job, ms: number) {
+    this.levels.shown(control, tier, isMoving, ms, performance.now());
   }
 }
 
@@ -371,10 +392,12 @@ function soundOf({ meta, sound }: FrameReply): Sound | null {
  */
 function isInitial(
   { dataset }: HTMLElement,
-  { controls, values, default_tier: tier }: Schema,
+  { controls, values }: Schema,
   asked: { values: string; tier: string },
 ) {
   const initial = Object.fromEntries(controls.map(({ name }) => [name, values[name]]));
   const untouched = dataset.frames === "0" && dataset.early === undefined;
-  return untouched && tier === asked.tier && JSON.stringify(initial) === asked.values;
+  return (
+    untouched && (dataset.level ?? "") === asked.tier && JSON.stringify(initial) === asked.values
+  );
 }

@@ -22,13 +22,13 @@ const THERE_AND_BACK = 4000;
 
 export class Motion {
   /** Without an action it has begun by itself, and any touch ends it. */
-  #playing: { action: Action | null; stop: () => void } | null = null;
+  #playing: { action: Action | null; slider: Slider; stop: () => void } | null = null;
 
-  /** @param moved Called after each move of a slider, with its name where the move goes on. */
+  /** @param moved Called after each move of a slider, with its name and whether the move goes on. */
   constructor(
     readonly form: HTMLFormElement,
     readonly schema: Schema,
-    readonly moved: (moving: string, time: number) => void,
+    readonly moved: (slider: string, time: number, isMoving: boolean) => void,
   ) {}
 
   /** @param action The button that was pressed. */
@@ -42,17 +42,17 @@ export class Motion {
       return;
     }
     writeValue(this.form, slider, this.#next(slider, 1));
-    this.moved("", time);
+    this.moved(slider.name, time, false);
   }
 
   /** Stop playing, if it is. */
   stop() {
     if (!this.#playing) return;
-    const { action, stop } = this.#playing;
+    const { action, slider, stop } = this.#playing;
     this.#playing = null;
     stop();
     if (action) writeValue(this.form, action, 0);
-    this.moved("", performance.now());
+    this.moved(slider.name, performance.now(), false);
   }
 
   /** Begin what a figure shows by itself, if a control says so and stands where the page put it. */
@@ -74,10 +74,10 @@ export class Motion {
     const way = (slider.arrival ?? start) - start;
     const stop = everyFrame(THERE_AND_BACK, (share, now) => {
       writeValue(this.form, slider, start + (way * (1 - Math.cos(2 * Math.PI * share))) / 2);
-      if (share < 1) this.moved(slider.name, now);
+      if (share < 1) this.moved(slider.name, now, true);
       else this.stop();
     });
-    this.#playing = { action: null, stop };
+    this.#playing = { action: null, slider, stop };
   }
 
   /** The place after the slider's value, of those a stride apart; past the end it starts over. */
@@ -92,7 +92,7 @@ export class Motion {
     if (this.#value(slider) >= slider.max) writeValue(this.form, slider, slider.min);
     writeValue(this.form, action, action.labels.length > 1 ? 1 : 0);
     const stop = isCalm() ? this.#walk(action, slider) : this.#sweep(action, slider);
-    this.#playing = { action, stop };
+    this.#playing = { action, slider, stop };
   }
 
   /** Continuous motion, a step of the slider at a time; what is returned ends it. */
@@ -123,7 +123,7 @@ export class Motion {
     writeValue(this.form, slider, Math.min(value, slider.max));
     const now = this.#value(slider);
     if (now >= slider.max) this.stop();
-    else if (now !== before) this.moved(slider.name, time);
+    else if (now !== before) this.moved(slider.name, time, true);
   }
 
   #value(slider: Slider) {

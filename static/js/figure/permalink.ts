@@ -9,7 +9,6 @@
  */
 
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
-import type { Choice } from "../../../simulations/engine/controls/choice/kind.ts";
 import { all, data, one } from "../page/dom.ts";
 import { isArrived } from "../page/navigate.ts";
 import { words } from "../page/words.ts";
@@ -24,6 +23,7 @@ import {
   type Value,
 } from "./controls.ts";
 import { KINDS } from "./control_kinds.js";
+import { accuracyMenu } from "./levels.ts";
 import { say } from "./status.ts";
 
 /** How many settings of an address that mean nothing are named, and how much of each. */
@@ -32,14 +32,9 @@ const LONGEST_NAME = 60;
 
 /** A figure's form, and all that can be set in it, the accuracy included. */
 export function settingsOf(figure: HTMLElement) {
-  const { controls, values, tiers, default_tier: tier }: Schema = data(figure, "script.schema");
-  const accuracy: Choice = {
-    kind: "choice",
-    name: "tier",
-    label: words("figure.accuracy"),
-    default: tier,
-    options: tiers,
-  };
+  const schema: Schema = data(figure, "script.schema");
+  const { controls, values, tiers, tier } = schema;
+  const accuracy = accuracyMenu(schema, words("figure.accuracy"));
   return {
     form: one(figure, "form.controls", HTMLFormElement),
     // A button that plays has no state worth keeping.

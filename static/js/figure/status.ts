@@ -2,8 +2,8 @@
  * What a figure says of itself. In words: the line below it, and the description that is read out. And
  * in `data-state`: `still` as built; `waiting` for the reader to ask, where the link is metered;
  * `starting` once a frame is requested; `live` after each painted frame; `failed` with a message and a
- * button. `data-frames` counts frames after their pixels are in the page; `data-tier` is the accuracy
- * of the frame that is shown.
+ * button. `data-frames` counts frames after their pixels are in the page, `data-late` those that came
+ * later than two display frames; `data-level` is the level of accuracy of the frame that is shown.
  */
 
 import { message } from "../errors.ts";
@@ -12,6 +12,7 @@ import { one } from "../page/dom.ts";
 import { offerRelease } from "../page/release.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
+import { IN_TIME } from "./chooser.ts";
 import { RuntimeFailure } from "../runtime/runtime.ts";
 
 /**
@@ -51,8 +52,12 @@ export function showLive(
   computeMs: number,
 ) {
   figure.dataset.computeMs = computeMs.toFixed(1);
-  figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
-  if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
+  const latencyMs = performance.now() - job.time;
+  figure.dataset.latencyMs = latencyMs.toFixed(1);
+  const late = Number(figure.dataset.late ?? 0);
+  const isLate = figure.dataset.state === "live" && latencyMs > IN_TIME;
+  figure.dataset.late = String(isLate ? late + 1 : late);
+  if (figure.dataset.level !== job.tier) figure.dataset.level = job.tier;
   figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
   if (figure.dataset.state !== "live") {
     figure.dataset.state = "live";

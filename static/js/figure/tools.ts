@@ -74,7 +74,7 @@ async function copyPython(figure: HTMLElement) {
   const runtime = sharedRuntime();
   if (!runtime) return;
   const { form, controls } = settingsOf(figure);
-  const { tier = "", ...values } = readValues(form, controls);
+  const { tier: _, ...values } = readValues(form, controls);
   const edited = "edited" in figure.dataset;
   const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
   const { title } = data(figure, "script.schema");
@@ -87,7 +87,7 @@ async function copyPython(figure: HTMLElement) {
   const { script } = await runtime.call("script", {
     scene: figure.dataset.simulation ?? "",
     values: JSON.stringify(values),
-    tier: String(tier),
+    tier: figure.dataset.level ?? "",
     notes: JSON.stringify(notes),
   });
   const unlike = edited && own ? "_both" : edited ? "_code" : own ? "_picture" : "";
