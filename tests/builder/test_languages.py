@@ -28,7 +28,7 @@ QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
 COMPOSED = (
     "labels.", "style.", "callout.", "landing.count_", "script.theme.", "script.figure.",
     "script.predict.", "script.runtime.", "script.stage_report.", "script.tools.python_copied",
-    "script.search.found", "script.search.near", "script.exercise.",
+    "script.search.found", "script.search.near", "script.exercise.", "figure.within_",
 )  # fmt: skip
 """Beginnings of keys that are composed where they are used."""
 

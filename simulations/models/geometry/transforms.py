@@ -161,7 +161,7 @@ def clip_to_rectangle(
     as `clip_half_plane`.
     """
     (left, low), (right, high) = (
-        as_vectors(name, corner, 2).tolist()
+        _in_range(name, as_vectors(name, corner, 2)).tolist()
         for name, corner in (("lowest", lowest), ("highest", highest))
     )
     vertices = _in_range("polygon", _vertices(polygon))
