@@ -132,6 +132,7 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
         expect(transfer.photographs.last).to_contain_text("not evenly lit")
         expect(transfer.readout("gain_true")).to_contain_text("unknown")
         expect(page.locator(".data-sheet-parts")).to_contain_text("Conversion gain")
+        reader.settle(transfer.figure)
         assert transfer.sheet()["lines"] == sheet_of_even_light()
         assert not any("libraw" in url for url in requests)
         transfer.clear()

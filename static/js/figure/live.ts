@@ -30,13 +30,15 @@ import { Accuracy, showStages, type Stage } from "./stage_report.ts";
 
 /**
  * A frame to compute: of which control values (JSON), at which level once it begins; the control that
- * has moved, if one has, and whether it still moves; the time of the reader's event.
+ * has moved, if one has, and whether it still moves; the reader's pictures, as a key; the time of the
+ * reader's event.
  */
 type Job = {
   values: string;
   tier: string;
   control: string;
   isMoving: boolean;
+  own: string;
   time: number;
   urgency: number;
 };
@@ -264,16 +266,12 @@ export class LiveFigure {
     if (!this.figure.isConnected || this.#waits || this.#isFolded) return;
     const { dataset } = this.figure;
     if (dataset.state === "still") dataset.state = "starting";
-    const [values, tier] = [this.#values, this.levels.rest];
-    const asked = `${this.#what(values, tier)} ${isMoving}`;
+    const [values, tier, own] = [this.#values, this.levels.rest, this.own.key];
+    const job = { values, tier, control, isMoving, own, time, urgency };
+    const asked = `${what(job)} ${isMoving}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
-    this.#scheduler.submit({ values, tier, control, isMoving, time, urgency });
-  }
-
-  /** What a frame shows. */
-  #what(values: string, tier: string) {
-    return `${values} ${tier} ${this.own.key}`;
+    this.#scheduler.submit(job);
   }
 
   #request(values: string, tier: string) {
@@ -283,7 +281,8 @@ export class LiveFigure {
   async #run(job: Job) {
     // At the last moment, when the time of the frame before is known.
     if (job.isMoving) job.tier = this.levels.moving(job.control, performance.now());
-    if (this.#what(job.values, job.tier) === this.#painted) return;
+    job.own = this.own.key;
+    if (what(job) === this.#painted) return;
     const attempt = async () => {
       await this.own.handOver(this.runtime, this.#key);
       if (!(await this.#adopt(job))) await this.#render(job);
@@ -324,7 +323,7 @@ export class LiveFigure {
       this.prerendered.end();
       takeStills(this.figure);
       clearFailure(this.figure);
-      this.#painted = this.#what(job.values, job.tier);
+      this.#painted = what(job);
       showLive(this.figure, job, 0);
       this.#uncached = job;
       setTimeout(() => this.#cache()); // once this job is done and the figure rests
@@ -348,7 +347,7 @@ export class LiveFigure {
     this.stages = JSON.parse(meta).stages;
     this.figure.dataset.computeMs = computeMs.toFixed(1);
     this.#learn(job, computeMs);
-    this.accuracy.shown({ ...job, own: this.own.key }, computeMs);
+    this.accuracy.shown(job, computeMs);
     this.figure.dispatchEvent(new Event("painted"));
   }
 
@@ -367,19 +366,24 @@ export class LiveFigure {
     this.#sound = soundOf(reply);
     this.handles.show(meta.handles);
     showStages(this.figure, meta.stages);
-    this.#painted = this.#what(job.values, job.tier);
-    const isFirst = this.figure.dataset.frames === "0";
+    this.#painted = what(job);
     this.announce(meta.description);
     clearFailure(this.figure);
-    showLive(this.figure, job, reply.computeMs);
+    const isFirst = this.figure.dataset.frames === "0";
     if (isFirst) this.#learn({ ...job, control: "" }, reply.computeMs);
     else if (job.control) this.#learn(job, performance.now() - job.time);
-    this.accuracy.shown({ ...job, own: this.own.key }, reply.computeMs);
+    this.accuracy.shown(job, reply.computeMs);
+    showLive(this.figure, job, reply.computeMs);
   }
 
   #learn({ control, tier, isMoving }: Job, ms: number) {
     this.levels.shown(control, tier, isMoving, ms, performance.now());
   }
+}
+
+/** What a frame shows. */
+function what({ values, tier, own }: Job) {
+  return `${values} ${tier} ${own}`;
 }
 
 function soundOf({ meta, sound }: FrameReply): Sound | null {
