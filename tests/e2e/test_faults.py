@@ -82,7 +82,7 @@ AT_FOOT = Outcome(
 WHEN_MOVED = Outcome(
     f"""() => {{
       const slider = document.querySelector('#figure-{SCENE} input[type=range]');
-      if ({LIVES} && slider.value === slider.defaultValue) {{
+      if ({LIVES} && slider.valueAsNumber === Number(slider.defaultValue)) {{
         slider.stepUp();
         slider.dispatchEvent(new Event('input', {{bubbles: true}}));
       }}
