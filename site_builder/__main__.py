@@ -75,14 +75,14 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
                 if not sys.stdin.readline():
                     return 0  # the server has ended
             options = Options(
-                ROOT, given.runtime, given.reload, warn=warn,
+                root=ROOT, runtime=given.runtime, reload=given.reload, warn=warn,
                 address=site_address(given.address), source=source_address(given.source),
             )  # fmt: skip
             files = build_site(options, given.out)
             warned = f"; {counted(warnings, 'warning')}" if warnings else ""
             print(f"{given.out}: {len(files)} files{warned}")
         case "check":
-            return check(Options(ROOT, runtime=given.runtime), json=given.json)
+            return check(Options(root=ROOT, runtime=given.runtime), json=given.json)
         case "new":
             from site_builder.scaffold.pieces import make_new  # needed only here
 
@@ -94,21 +94,21 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.editions.pdf import make_pdf, pdf_printer
 
             printer = pdf_printer() if given.command == "pdf" else None  # before all the work
-            composed = compose(Options(ROOT, runtime=False, warn=warn))
+            composed = compose(Options(root=ROOT, runtime=False, warn=warn))
             edition = make_pdf(composed, printer) if printer else make_epub(composed, ROOT)
             written(given.out or _edition(composed.book, given.command), edition)
         case "notebooks":
             from site_builder.editions.notebooks.notebook import REQUIREMENTS, make_notebooks
 
             address = site_address(given.address)
-            checked = check_site(Options(ROOT, runtime=False, warn=warn, address=address))
+            checked = check_site(Options(root=ROOT, runtime=False, warn=warn, address=address))
             write_site(make_notebooks(checked, ROOT), given.out, known_by=REQUIREMENTS)
             print(f"{given.out}: {len(checked.book.chapters)} notebooks")
         case "questions":
             from site_builder.editions.questions import count_not_exported, make_moodle, make_qti
 
             address = site_address(given.address)
-            book = check_site(Options(ROOT, runtime=False, warn=warn, address=address)).book
+            book = check_site(Options(root=ROOT, runtime=False, warn=warn, address=address)).book
             written(_edition(book, "moodle.xml"), make_moodle(book))
             written(_edition(book, "qti.zip"), make_qti(book))
             if count := count_not_exported(book):

@@ -7,7 +7,7 @@ folder: it returns the site in memory.
 
 from collections.abc import Callable, Mapping
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import KW_ONLY, dataclass, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -24,7 +24,7 @@ from site_builder.assets.page_assets import (
     NOW,
     Files,
     gather_assets,
-    in_page,
+    page_parts,
     prerendered_files,
 )
 from site_builder.benchmarks.measurements import read_measurements
@@ -79,6 +79,7 @@ class Options:
 
     root: Path
     """The book's folder: holds ``content/`` and ``simulations/``."""
+    _: KW_ONLY
     runtime: bool = True
     """Whether to ship Python for the browser; without it figures stay stills."""
     reload: bool = False
@@ -118,7 +119,7 @@ class CheckedBook(NamedTuple):
     """Pictures of the initial frames, by file name."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class RenderedSite:
     """The pages and all that they load."""
 
@@ -204,22 +205,30 @@ def render(
 
     assets = gather_assets(book, root, pictures, made, NOW if reload else "")
     site = Site(
-        root,
-        book,
-        initial_frames,
-        assets.folder,
-        parts.runtime,
+        root=root,
+        book=book,
+        initial_frames=initial_frames,
+        assets=assets.folder,
+        runtime=parts.runtime,
         # With them a changed scene would change all pages.
         sources="" if reload else parts.bundle.sources,
         table="" if reload else parts.bundle.table,
         code_editor=bool(parts.editor.script),
         search=bool(parts.search.scripts),
         reload=reload,
-        **in_page(assets, reload=reload),
+        **page_parts(assets, reload=reload),
     )
     pages = render_pages(site, _licences(root, parts, book))
     files = {**assets.files, **parts.runtime_files}
-    return RenderedSite(checked, options, parts, assets.folder, pages, files, search_index)
+    return RenderedSite(
+        checked=checked,
+        options=options,
+        parts=parts,
+        assets=assets.folder,
+        pages=pages,
+        files=files,
+        search_index=search_index,
+    )
 
 
 def _search_index(checked: CheckedBook, library: SearchLibrary) -> Files:

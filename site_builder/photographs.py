@@ -37,7 +37,7 @@ PACKED = "{packed}"
 '''
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Credit:
     """A photograph, where it comes from, and under which terms."""
 

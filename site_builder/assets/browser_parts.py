@@ -64,10 +64,12 @@ def pack_for_browser(root: Path, book: Book, warn: Warn, *, compiled: bool) -> R
         path, _, line = error.place.rpartition(":")
         expected = f"its standard library, numpy, and 'packages' of [runtime] in {FILE_NAME}"
         message = f"{error.message}; legal: {expected}"
-        raise BuildError([Diagnostic(path, int(line), message)]) from error
+        raise BuildError([Diagnostic(path=path, line=int(line), message=message)]) from error
     except SyntaxError as error:  # in a module that no chapter shows
         path, _, line = place_of(error).rpartition(":")
-        raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
+        raise BuildError(
+            [Diagnostic(path=path, line=int(line), message=f"no Python: {error.msg}")]
+        ) from error
     sizes = (file.stat().st_size for name, file in bundle.files.items() if name.startswith(PACKAGE))
     weight = sum(sizes)
     told = (
@@ -86,7 +88,9 @@ MOST_PACKAGES = 5_000_000
 def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
     """A message about the packages that the outline declares."""
     _, toml = read_settings(Sources(root))
-    return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
+    return Diagnostic(
+        path=FILE_NAME, line=toml.line("runtime", "packages"), message=message, fails=fails
+    )
 
 
 def _select(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
@@ -98,7 +102,7 @@ RUNTIME_NOW = "runtime/now/"
 that show it."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BrowserParts:
     """Each empty where it is left out."""
 
@@ -120,7 +124,14 @@ def browser_parts(
             return make()
         except NodeError as error:
             message = f"{lost}; its packages could not be had from npm: {error}"
-            warn(Diagnostic(f"site_builder/{name}/package-lock.json", 1, message, fails=False))
+            warn(
+                Diagnostic(
+                    path=f"site_builder/{name}/package-lock.json",
+                    line=1,
+                    message=message,
+                    fails=False,
+                )
+            )
             return without
 
     library, editor, decoder = SearchLibrary({}), EditorBundle(), RawDecoder({})
@@ -134,7 +145,14 @@ def browser_parts(
         decoder = part(fetch_decoder, decoder, "raw", "instruments open no raw files")
     runtime, files = _runtime(bundle, warn, reload=reload)
     bundle = bundle or RuntimeBundle({}, Versions())
-    return BrowserParts(runtime, files, bundle, editor, library, decoder)
+    return BrowserParts(
+        runtime=runtime,
+        runtime_files=files,
+        bundle=bundle,
+        editor=editor,
+        search=library,
+        decoder=decoder,
+    )
 
 
 def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple[str, Files]:
@@ -142,7 +160,11 @@ def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple
         return "", {}
     if bundle.snapshot_error:
         message = f"figures start later at a first visit: {bundle.snapshot_error}"
-        warn(Diagnostic("site_builder/runtime/snapshot.mjs", 1, message, fails=False))
+        warn(
+            Diagnostic(
+                path="site_builder/runtime/snapshot.mjs", line=1, message=message, fails=False
+            )
+        )
     if reload:
         return RUNTIME_NOW, {RUNTIME_NOW + name: file for name, file in bundle.files.items()}
     return hashed_folder("runtime", dict(bundle.files))

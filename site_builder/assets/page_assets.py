@@ -119,7 +119,7 @@ def gather_assets(
         **{f"fonts/{name}": data for name, data in subset_fonts().items()},
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{
-            f"content/{name}": as_shown(file, widths.get(name, COLUMN_PX))
+            f"content/{name}": scaled_picture(file, widths.get(name, COLUMN_PX))
             for name, file in content.items()
             if name.lower().endswith(PICTURES.suffixes)
         },
@@ -148,7 +148,7 @@ def shown_widths(book: Book) -> dict[str, float]:
     return widths
 
 
-def as_shown(file: Path, width: float) -> Content:
+def scaled_picture(file: Path, width: float) -> Content:
     """A picture with two pixels for each that it is shown on, at most, for fine screens."""
     most = round(2 * width)
 
@@ -192,7 +192,7 @@ def prerendered_files(initial_frames: InitialFrames) -> Files:
     return {f"prerendered/{each.file}": each.data for each in frames}
 
 
-def in_page(assets: Assets, *, reload: bool) -> dict[str, Any]:
+def page_parts(assets: Assets, *, reload: bool) -> dict[str, Any]:
     """What a page holds of its assets, besides their addresses. While the book is written no more
     than the scripts' names, so that a changed style sheet changes no page."""
     if reload:

@@ -50,7 +50,7 @@ class ChartAxis:
         return tuple(self.scale.ticks())
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Chart:
     """A drawn chart, and the axes with which the page's script adds points of its own."""
 
@@ -106,7 +106,13 @@ def _draw(measured: MeasuredLadder, words: Words) -> Chart:
     lines = [*spreads, *joins, *(step for front in fronts for step in pairwise(front))]
     parts = [_grid(time, error, measured, words), *curves, *bars, *marks]
     names = _names(measured, at, lines, {tier for tier, side in beaten if side == "browser"})
-    return Chart("".join(parts), names, time, error, describe(measured, words))
+    return Chart(
+        marks="".join(parts),
+        names=names,
+        time=time,
+        error=error,
+        description=describe(measured, words),
+    )
 
 
 def describe(measured: MeasuredLadder, words: Words = ENGLISH) -> str:

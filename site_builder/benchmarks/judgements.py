@@ -77,7 +77,7 @@ class Neighbour:
     """With its unit."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Choice:
     """The default and what it was chosen over."""
 

@@ -102,7 +102,7 @@ STAGE_DATA = Path("content") / "stage-costs.json"
 REMEASURE = "run `PYTHONPATH=tests python -m bench.stage_costs`"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class MoveCost:
     """One control moved by a step."""
 

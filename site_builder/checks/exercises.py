@@ -14,18 +14,18 @@ from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import Quiz
 from site_builder.document.book import Chapter
 from site_builder.files.folders import folder_hash
-from site_builder.markdown.questions.code.kind import Task
+from site_builder.markdown.questions.code.kind import CodeTask
 from site_builder.pool.processes import run_in_pool
 
 
 def check_exercises(chapter: Chapter, problems: Diagnostics) -> None:
     for quiz in chapter.quizzes:
-        if isinstance(quiz.details, Task):
+        if isinstance(quiz.details, CodeTask):
             for line, message in _faults(quiz, quiz.details, chapter):
                 problems.add(quiz.path, line, f"exercise {quiz.id!r}: {message}")
 
 
-def _faults(quiz: Quiz, task: Task, chapter: Chapter) -> list[tuple[int, str]]:
+def _faults(quiz: Quiz, task: CodeTask, chapter: Chapter) -> list[tuple[int, str]]:
     figures = [figure.id for figure in chapter.simulations]
     if task.figure and task.figure not in (*figures, *chapter.figures):
         return [(quiz.line, unknown("figure of this page", task.figure, figures))]
@@ -45,10 +45,10 @@ def _find_faults(
     """What is wrong, with the number of the answer: 0 for the solution, None for the start."""
     try:
         run_in_pool(partial(prove, exercise))
-        if miss := _judged(exercise, exercise.solution, "values")["miss"]:
+        if miss := _judgement(exercise, exercise.solution, "values")["miss"]:
             return [(0, f"the solution is wrong: {_difference(miss)}; legal: a right one")]
         if exercise.hard:
-            _judged(exercise, exercise.solution, "hard")  # it need not pass them
+            _judgement(exercise, exercise.solution, "hard")  # it need not pass them
     except Exception as error:  # whatever the author's code raises
         return [(0, f"the solution fails: {type(error).__name__}: {error}")]
     found: list[tuple[int | None, str]] = []
@@ -56,7 +56,7 @@ def _find_faults(
         found.append((None, "what it starts with is right; legal: a start that is not"))
     for index, code in enumerate(exercise.wrong):
         try:
-            miss = _judged(exercise, code, "values")["miss"]
+            miss = _judgement(exercise, code, "values")["miss"]
         except Exception as error:
             found.append((index + 1, f"a wrong answer fails: {type(error).__name__}: {error}"))
             continue
@@ -68,13 +68,13 @@ def _find_faults(
     return found
 
 
-def _judged(exercise: Exercise, code: str, stage: str) -> dict[str, Any]:
+def _judgement(exercise: Exercise, code: str, stage: str) -> dict[str, Any]:
     return run_in_pool(partial(judged, exercise, code, stage, load_ladder, perf_counter))
 
 
 def _is_wrong(exercise: Exercise, code: str) -> bool:
     try:
-        return _judged(exercise, code, "values")["miss"] is not None
+        return _judgement(exercise, code, "values")["miss"] is not None
     except Exception:  # it need not run
         return True
 

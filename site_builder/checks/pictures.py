@@ -55,7 +55,7 @@ class Drawing:
 def read_svg(data: bytes, *, in_page: bool = False) -> Drawing:
     """What a file holds. ``in_page``: it is a part of a page, where a ``<style>`` would hold for
     all of it, and by its policy for nothing."""
-    reader = _Reader(in_page)
+    reader = _SvgReader(in_page=in_page)
     parser = make_parser()
     parser.setFeature(feature_namespaces, True)
     parser.setContentHandler(reader)
@@ -76,8 +76,8 @@ def read_overlay(markup: str) -> Drawing:
     return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode(), in_page=True)
 
 
-@dataclass(slots=True)
-class _Reader(ContentHandler):
+@dataclass(slots=True, kw_only=True)
+class _SvgReader(ContentHandler):
     in_page: bool
     faults: list[Fault] = field(default_factory=list)
     classes: set[str] = field(default_factory=set)

@@ -16,7 +16,7 @@ from site_builder.figures.frames import frame_at
 from site_builder.files.folders import folder_files
 from site_builder.files.text import Sources
 from site_builder.markdown.glossary import meanings_in
-from site_builder.markdown.questions.figure.kind import Task, conditions
+from site_builder.markdown.questions.figure.kind import FigureTask, conditions
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.terms import BOOK, GLOSSARY
@@ -83,7 +83,7 @@ def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
     figures = {figure.id: figure for figure in chapter.simulations}
     for quiz in chapter.quizzes:
         task = quiz.details
-        if not isinstance(task, Task) or not task.figure or not task.solution:
+        if not isinstance(task, FigureTask) or not task.figure or not task.solution:
             continue
         figure = figures.get(task.figure)
         error = None

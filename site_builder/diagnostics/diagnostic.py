@@ -18,7 +18,7 @@ MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
 
 
-@dataclass(frozen=True, slots=True, order=True)
+@dataclass(frozen=True, slots=True, order=True, kw_only=True)
 class Diagnostic:
     """One mistake, or one warning."""
 
@@ -41,7 +41,7 @@ class Diagnostic:
     def __str__(self) -> str:
         word = "" if self.fails else "warning: "
         met = f" (met at {self.met})" if self.met else ""
-        return f"{self.path}:{self.line}: {word}{self.message}{met}"
+        return f"{legible(one_line(self.path))}:{self.line}: {word}{self.message}{met}"
 
 
 @dataclass(slots=True)
@@ -63,18 +63,20 @@ class Diagnostics:
     ) -> None:
         """``error``: what an author's code raised. It is reported at the line that did, if that is
         known, and once, however often it is met."""
-        found = Diagnostic(path, line, message, spoils=spoils)
+        found = Diagnostic(path=path, line=line, message=message, spoils=spoils)
         self.found.append(_at_its_source(found, error) if error else found)
 
     def add_of(self, module: str, path: str, line: int, message: str) -> None:
         """A mistake of an author's module, at the line that has what the message quotes, once."""
         place, _, own = place_in(module, message).rpartition(":")
-        found = Diagnostic(path, line, message)
+        found = Diagnostic(path=path, line=line, message=message)
         met = f"{path}:{line}"
-        self.found.append(Diagnostic(place, int(own), message, met=met) if place else found)
+        self.found.append(
+            Diagnostic(path=place, line=int(own), message=message, met=met) if place else found
+        )
 
     def warn(self, path: str, line: int, message: str) -> None:
-        self.doubts.append(Diagnostic(path, line, message, fails=False))
+        self.doubts.append(Diagnostic(path=path, line=line, message=message, fails=False))
 
     def __bool__(self) -> bool:
         """Whether a mistake was found; warnings do not count."""
@@ -107,7 +109,9 @@ def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic
         return found
     path, _, line = place_of(error).rpartition(":")
     at = f", {settings}" if (settings := settings_of(error)) else ""
-    return Diagnostic(path, int(line), _message(error), met=f"{found.path}:{found.line}{at}")
+    return Diagnostic(
+        path=path, line=int(line), message=_message(error), met=f"{found.path}:{found.line}{at}"
+    )
 
 
 def counted(found: Sized, name: str) -> str:
@@ -115,10 +119,15 @@ def counted(found: Sized, name: str) -> str:
     return f"{len(found)} {name}{'s' * (len(found) != 1)}"
 
 
+def one_line(name: str) -> str:
+    """The name of a file, which may hold line breaks."""
+    return " ".join(name.splitlines())
+
+
 def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
     """``unknown KIND 'given'``, then the nearest legal name or, where none is near, the legal ones:
     all of them, or the first of many."""
-    names = list(expected)
+    names = list(map(one_line, expected))
     near = difflib.get_close_matches(given, names, n=1)
     listed = ", ".join(names[:MOST_LISTED]) or "none"
     rest = len(names) - MOST_LISTED

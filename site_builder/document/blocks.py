@@ -54,7 +54,7 @@ class Deeper:
     heading: Heading
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Simulation:
     """A figure that comes alive in the page."""
 
@@ -77,7 +77,7 @@ class Simulation:
     """Whether the reader's photographs go into the figure, an instrument."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Source:
     """The real source of a function of the book's own code."""
 
@@ -108,7 +108,7 @@ class Option:
     """Where a number is asked for: the one that this answer is."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Question:
     """What is asked, and the answers that are offered or recognised."""
 

@@ -32,19 +32,19 @@ from site_builder.document.places import (
 )
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.references.bibliography import NO_WORKS, Works
-from site_builder.references.terms import News
+from site_builder.references.terms import NewsItem
 from site_builder.settings.declared import TEXT, key, texts
 from site_builder.settings.model import FILE_NAME, Settings
 
 OUTLINE = FILE_NAME
 """The file that names the book, its chapters and the figure on its cover."""
-UNSET = Settings("", "", "", ())
+UNSET = Settings(title="", subtitle="", prerequisites="", chapters=())
 
 type Colours = Mapping[str, tuple[str, str]]
 """Names of the book's own colours, each with its values on light and on dark paper."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Chapter:
     """One page of the book."""
 
@@ -135,7 +135,7 @@ class Taught:
     questions: tuple[Target, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Lesson:
     """A section of another textbook, and what teaches it here."""
 
@@ -158,7 +158,7 @@ class LecturePlan:
     lessons: tuple[Lesson, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Book:
     """Everything that the site is made from, read and parsed."""
 
@@ -175,7 +175,7 @@ class Book:
     """Those of its path."""
     bibliography: Works = NO_WORKS
     lecture_plan: LecturePlan | None = None
-    asked: tuple[tuple[Target, tuple[str, ...]], ...] = ()
+    search_words: tuple[tuple[Target, tuple[str, ...]], ...] = ()
     """Sections, and words by which readers look for them."""
     glossary: tuple[Definition, ...] = ()
     """In alphabetical order."""
@@ -189,7 +189,7 @@ class Book:
     """Where the site will be, a slash at the end; nothing where that is not known."""
     source: str = ""
     """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
-    news: tuple[News, ...] = ()
+    news: tuple[NewsItem, ...] = ()
     """Newest first."""
 
     @property

@@ -103,7 +103,7 @@ class Position:
         return f"{self.label} {self.mark}"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Target:
     """What a reference may lead to: a chapter, a section, or a thing that is numbered."""
 

@@ -140,8 +140,8 @@ def _most_changed(frames: Sequence[StaticFrame]) -> str | None:
 ANSWERS = "answers"
 
 
-@dataclass(frozen=True, slots=True)
-class Section:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BoundSection:
     """A chapter, or what follows the last."""
 
     id: str
@@ -157,12 +157,12 @@ class Section:
     """Title of the part of the book that it is in; nothing where it is in none."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Composed:
     """What an edition is made from."""
 
     book: Book
-    sections: tuple[Section, ...]
+    sections: tuple[BoundSection, ...]
     cover: str
     """Address of the title page's picture, relative to the site's root; nothing without one."""
     assets: str
@@ -171,7 +171,7 @@ class Composed:
     licences: tuple[Licence, ...]
 
     @property
-    def parts(self) -> tuple[tuple[str, tuple[Section, ...]], ...]:
+    def parts(self) -> tuple[tuple[str, tuple[BoundSection, ...]], ...]:
         groups = groupby(self.sections, attrgetter("part"))
         return tuple((title, tuple(sections)) for title, sections in groups)
 
@@ -185,7 +185,13 @@ def compose(options: Options) -> Composed:
     book, initial_frames, pictures = check_site(options)
     rows, row_pictures = render_rows(book, initial_frames)
     assets = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
-    site = Site(options.root, book, initial_frames, assets.folder, "")
+    site = Site(
+        root=options.root,
+        book=book,
+        initial_frames=initial_frames,
+        assets=assets.folder,
+        runtime="",
+    )
     licences = gather_licences(options.root, Versions(), settings=book.settings, words=book.words)
     sections = [
         *(_chapter(site, chapter, rows[chapter.id]) for chapter in book.chapters),
@@ -196,24 +202,40 @@ def compose(options: Options) -> Composed:
     if book.hero:
         shown = initial_frames[book.hero.path, book.hero.line].pictures.values()
         cover = next((f"{assets.folder}stills/{address_of(picture.file)}" for picture in shown), "")
-    return Composed(book, tuple(sections), cover, assets.folder, assets.files, licences)
+    return Composed(
+        book=book,
+        sections=tuple(sections),
+        cover=cover,
+        assets=assets.folder,
+        files=assets.files,
+        licences=licences,
+    )
 
 
-def _chapter(site: Site, chapter: Chapter, rows: Mapping[str, Row]) -> Section:
+def _chapter(site: Site, chapter: Chapter, rows: Mapping[str, Row]) -> BoundSection:
     html = render_page(site, "chapter.html", "../", rows=rows, chapter=chapter, sections=())
     words = paper_renderer()
     headings = tuple((item.id, words(item.words)) for item in chapter.headings if item.level == 2)
-    return Section(chapter.id, chapter.title, chapter.name, parse(html), headings, chapter.part)
+    return BoundSection(
+        id=chapter.id,
+        title=chapter.title,
+        number=chapter.name,
+        article=parse(html),
+        headings=headings,
+        part=chapter.part,
+    )
 
 
-def _back_matter(site: Site) -> Iterator[Section]:
+def _back_matter(site: Site) -> Iterator[BoundSection]:
     """What the site has of it."""
     for id, context in back_matter_pages(site.book).items():
         html = render_page(site, f"{id}.html", "../", rows={}, **context)
-        yield Section(id, site.book.words(BACK_MATTER[id]), "", parse(html))
+        yield BoundSection(
+            id=id, title=site.book.words(BACK_MATTER[id]), number="", article=parse(html)
+        )
 
 
-def _answers(site: Site) -> Iterator[Section]:
+def _answers(site: Site) -> Iterator[BoundSection]:
     chapters = [
         (chapter, questions)
         for chapter in site.book.chapters
@@ -228,4 +250,6 @@ def _answers(site: Site) -> Iterator[Section]:
             for link in elements(answers, "a"):
                 if (place := link.get("href", "")).startswith("#"):  # on the question's page
                     link.set("href", f"../{chapter.url}{place}")
-        yield Section(ANSWERS, site.book.words("edition.answers"), "", article)
+        yield BoundSection(
+            id=ANSWERS, title=site.book.words("edition.answers"), number="", article=article
+        )

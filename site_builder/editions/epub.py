@@ -12,7 +12,7 @@ from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
 from site_builder.document.book import Colours
-from site_builder.editions.compose import Composed, Section
+from site_builder.editions.compose import BoundSection, Composed
 from site_builder.editions.tree import (
     LinkTarget,
     bind_links,
@@ -82,7 +82,7 @@ def make_epub(composed: Composed, root: Path) -> bytes:
     return archive_of(members, stored=["mimetype"])
 
 
-def _part(section: Section, composed: Composed) -> Element:
+def _part(section: BoundSection, composed: Composed) -> Element:
     """One file of the book's text."""
 
     def address(place: LinkTarget) -> str:

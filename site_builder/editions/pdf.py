@@ -9,7 +9,7 @@ from pathlib import Path
 from urllib.parse import unquote
 from xml.etree.ElementTree import Element
 
-from site_builder.editions.compose import Composed, Section
+from site_builder.editions.compose import BoundSection, Composed
 from site_builder.editions.tree import LinkTarget, bind_links, elements, first, parse, xhtml
 from site_builder.output.writer import content_bytes
 from site_builder.pages.back_matter import BACK_MATTER
@@ -74,7 +74,7 @@ def volume(composed: Composed) -> Element:
     return document
 
 
-def _bound_section(section: Section, composed: Composed) -> Element:
+def _bound_section(section: BoundSection, composed: Composed) -> Element:
     """A section as part of the whole. Behind links into other sections their page is printed."""
     content = deepcopy(section.article)
     for element in content.iter():

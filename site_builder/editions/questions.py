@@ -85,7 +85,7 @@ def _tex(token: Token, macros: Mapping[str, str]) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class ExportedQuestion:
     """A question of a chapter."""
 
     quiz: Quiz
@@ -121,57 +121,59 @@ class Asked:
         return sorted(options, key=lambda option: (option.text == OTHERWISE, not option.correct))
 
 
-def exported_questions(book: Book) -> Iterator[Asked]:
+def exported_questions(book: Book) -> Iterator[ExportedQuestion]:
     """Without the book's address, none that needs a figure."""
     for chapter in book.chapters:
         for name, quiz in numbered_quizzes(chapter.body):
             if book.address or not kind_of(quiz).needs_page:
-                yield Asked(quiz, name, chapter, book.address)
+                yield ExportedQuestion(quiz, name, chapter, book.address)
 
 
-def export_question(book: Book, asked: Asked, platform: str) -> str:
+def export_question(book: Book, exported: ExportedQuestion, platform: str) -> str:
     """The question for a ``platform``: Moodle sets formulae itself, for QTI they are MathML."""
     macros = book.settings.macros
     rules = {"math_inline": lambda token: _tex(token, macros)} if platform == "moodle" else {}
     return render_template(
-        asked.kind.export(platform),
+        exported.kind.export(platform),
         book,
-        asked=asked,
-        quiz=asked.quiz,
-        chapter=asked.chapter,
-        text=_text(asked.page, renderer_with({**RULES, **rules})),
+        exported=exported,
+        quiz=exported.quiz,
+        chapter=exported.chapter,
+        text=_text(exported.page, renderer_with({**RULES, **rules})),
     )
 
 
 def count_not_exported(book: Book) -> int:
     """How many questions are not exported."""
-    exported = {asked.quiz.id for asked in exported_questions(book)}
-    return sum(len(chapter.quizzes) for chapter in book.chapters) - len(exported)
+    ids = {exported.quiz.id for exported in exported_questions(book)}
+    return sum(len(chapter.quizzes) for chapter in book.chapters) - len(ids)
 
 
 def make_moodle(book: Book) -> bytes:
     categories = [
-        (category, [export_question(book, asked, "moodle") for asked in group])
+        (category, [export_question(book, exported, "moodle") for exported in group])
         for category, group in groupby(
-            exported_questions(book), lambda asked: _category(book, asked)
+            exported_questions(book), lambda exported: _category(book, exported)
         )
     ]
     return render_template("editions/moodle.xml", book, categories=categories).encode()
 
 
-def _category(book: Book, asked: Asked) -> str:
+def _category(book: Book, exported: ExportedQuestion) -> str:
     """A path, in which a slash of a name is written twice."""
-    path = [book.title, f"{asked.chapter.name}. {asked.chapter.title}"]
+    path = [book.title, f"{exported.chapter.name}. {exported.chapter.title}"]
     return "/".join(["$course$", "top", *(name.replace("/", "//") for name in path)])
 
 
 def make_qti(book: Book) -> bytes:
     """The archive. The same book is the same bytes."""
-    asked = list(exported_questions(book))
-    chapters = [(chapter, [*group]) for chapter, group in groupby(asked, lambda a: a.chapter)]
+    questions = list(exported_questions(book))
+    chapters = [
+        (chapter, [*group]) for chapter, group in groupby(questions, lambda one: one.chapter)
+    ]
     files = {
-        "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=asked),
+        "imsmanifest.xml": render_template("editions/qti-manifest.xml", book, items=questions),
         "test.xml": render_template("editions/qti-test.xml", book, chapters=chapters),
-        **{f"items/{item.id}.xml": export_question(book, item, "qti") for item in asked},
+        **{f"items/{item.id}.xml": export_question(book, item, "qti") for item in questions},
     }
     return archive_of({name: content.encode() for name, content in files.items()})

@@ -76,7 +76,7 @@ LONGEST_NAME = 255
 
 
 @dataclass(frozen=True, slots=True)
-class PictureFile:
+class PanelFile:
     """The pixels of a panel as a file of the site."""
 
     file: str
@@ -94,7 +94,7 @@ class InitialFrame:
     """Every control's starting value."""
     frame: Frame
     """Without its pixels."""
-    pictures: Mapping[str, PictureFile]
+    pictures: Mapping[str, PanelFile]
     """By panel, for panels that have pixels."""
     prerendered: PrerenderedFrames | None = None
     """What can be shown of it before Python has started."""
@@ -146,7 +146,7 @@ def render_initial_frames(
                 message = f"panel {panel!r} names a file; legal: without '/', and shorter"
                 problems.add(figure.path, figure.line, f"{figure.scene.id}: {message}")
                 continue
-            pictures[panel] = PictureFile(name, picture.width, picture.height)
+            pictures[panel] = PanelFile(name, picture.width, picture.height)
             files[name] = picture.webp
         values = values_of(figure.scene.check(figure.values))
         initial_frames[figure.path, figure.line] = InitialFrame(

@@ -87,7 +87,7 @@ class Sources:
             text = text.partition("\n\n")[0] + "\n\n…\n"
         for found in CONTROL.finditer(text):
             line = text.count("\n", 0, found.start()) + 1
-            self.problems.add(path, line, unseen(found[0]))
+            self.problems.add(path, line, control_character_message(found[0]))
         return CONTROL.sub(" ", text)
 
     def toml(self, path: str) -> Toml | None:
@@ -106,11 +106,11 @@ class Sources:
             return None
         for keys, value in _texts(toml.table):
             if found := CONTROL.search(value):  # written as an escape
-                self.problems.add(path, toml.line(*keys), unseen(found[0]))
+                self.problems.add(path, toml.line(*keys), control_character_message(found[0]))
         return toml
 
 
-def unseen(character: str) -> str:
+def control_character_message(character: str) -> str:
     """What is wrong with one of `CONTROL`."""
     return f"control character U+{ord(character):04X}; legal: visible text"
 

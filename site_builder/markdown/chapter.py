@@ -14,7 +14,7 @@ from markdown_it.token import Token
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.book import Chapter
 from site_builder.document.places import Formula, Need, Target, Targets
-from site_builder.files.text import CONTROL, unseen
+from site_builder.files.text import CONTROL, control_character_message
 from site_builder.markdown.annotation import annotate, inline_passage
 from site_builder.markdown.block_tree import read_page
 from site_builder.markdown.glossary import mark_terms
@@ -34,7 +34,7 @@ AFTER = f"a list of {OUTCOMES[0]} to {OUTCOMES[-1]} texts"
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class ListEntry:
     """One entry of a list, as its author wrote it."""
 
     text: str
@@ -49,8 +49,8 @@ class FrontMatter:
 
     title: str = ""
     summary: str = ""
-    before: tuple[Entry, ...] = ()
-    after: tuple[Entry, ...] = ()
+    before: tuple[ListEntry, ...] = ()
+    after: tuple[ListEntry, ...] = ()
 
 
 def read_front_matter(tokens: Sequence[Token], context: ParseContext) -> FrontMatter:
@@ -104,7 +104,7 @@ def _read_text(name: str, node: yaml.Node | None, context: ParseContext) -> str:
         value = node.value if isinstance(node, yaml.ScalarNode) else ""
         context.problem(line, f'{fault}; legal: {name}: "{value or "some text"}"')
     elif found := CONTROL.search(text):  # written as an escape
-        context.problem(line, unseen(found[0]))
+        context.problem(line, control_character_message(found[0]))
         text = ""
     elif found := MARKUP.search(text):
         fault = f"{found[0]!r} in {name!r}, which is shown as it stands"
@@ -112,13 +112,13 @@ def _read_text(name: str, node: yaml.Node | None, context: ParseContext) -> str:
     return text
 
 
-def _entries(node: yaml.Node | None) -> Iterator[Entry]:
+def _entries(node: yaml.Node | None) -> Iterator[ListEntry]:
     for item in node.value if isinstance(node, yaml.SequenceNode) else ():
         if isinstance(item, yaml.MappingNode):
             for key, value in item.value:
-                yield Entry(_text(value), _line_of(key), chapter=str(key.value))
+                yield ListEntry(_text(value), _line_of(key), chapter=str(key.value))
         else:
-            yield Entry(_text(item), _line_of(item))
+            yield ListEntry(_text(item), _line_of(item))
 
 
 def _text(node: yaml.Node | None) -> str:
@@ -152,7 +152,15 @@ def parse_chapter(text: str, context: ParseContext) -> ParsedChapter:
         context.problems.warn(context.path, line, message)
     matter = read_front_matter(tokens, context)
     position, name = context.position, context.chapter
-    target = Target(position.kind, name, "", position.mark, matter.title, 1, name=position.name)
+    target = Target(
+        kind=position.kind,
+        chapter=name,
+        id="",
+        number=position.mark,
+        title=matter.title,
+        line=1,
+        name=position.name,
+    )
     return ParsedChapter(tokens, matter, target, number_targets(tokens, name, context), context)
 
 

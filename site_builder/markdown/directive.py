@@ -67,7 +67,7 @@ class Argument:
     """The file of ``content/`` that it names."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class OptionLine:
     """A line ``:name: value`` below the opening fence."""
 
@@ -107,10 +107,10 @@ class Numbered:
     """Whether a page may show the same twice; the id of the second then ends in ``-2``."""
 
 
-LABEL = OptionLine("label", doc="what it is cited by")
+LABEL = OptionLine(name="label", doc="what it is cited by")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Directive[B]:
     """One directive, ``:::{name} argument``."""
 

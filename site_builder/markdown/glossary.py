@@ -114,7 +114,7 @@ class _Walk:
             if token is inline:
                 continue
             if token.type in ("link_open", "role_open") and token.tag == "a":
-                self._given(token, line)
+                self._note_marked(token, line)
                 linked += 1
             elif token.type in ("link_close", "role_close") and token.tag == "a":
                 linked -= 1
@@ -125,7 +125,7 @@ class _Walk:
                 yield token
             previous = token.type
 
-    def _given(self, token: Token, line: int) -> None:
+    def _note_marked(self, token: Token, line: int) -> None:
         """A term that its author marked, or an entry of the index."""
         if term := token.meta.get("term"):
             self.marked.add(term.name)

@@ -173,7 +173,15 @@ class _Numbering:
         name = self.context.take_id(self._heading_id(opening, text, line), line, "heading")
         opening.attrSet("id", name)
         shown = self.context.shared.words("labels.section", title=text)
-        target = Target("Section", self.chapter, name, "", text, line, name=shown)
+        target = Target(
+            kind="Section",
+            chapter=self.chapter,
+            id=name,
+            number="",
+            title=text,
+            line=line,
+            name=shown,
+        )
         closing.meta["target"] = target
         self.targets.append(target)
 
@@ -220,6 +228,16 @@ class _Numbering:
         number = f"{self.context.position.mark}.{self.counts[kind]}"
         label = self.context.shared.words.label(kind)
         shown = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
-        target = Target(kind, self.chapter, name, number, "", line, labelled, shown, counted)
+        target = Target(
+            kind=kind,
+            chapter=self.chapter,
+            id=name,
+            number=number,
+            title="",
+            line=line,
+            labelled=labelled,
+            name=shown,
+            counted=counted,
+        )
         self.targets.append(target)
         return target

@@ -48,7 +48,7 @@ class FigurePlace:
         return max(first - line, line - last, 0)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Shared:
     """What all files of a book are read with."""
 
@@ -70,7 +70,7 @@ class Shared:
     """Names of the book's own."""
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class ParseContext:
     """The state of reading one page; dropped once its `Chapter` is made."""
 

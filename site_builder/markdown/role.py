@@ -25,7 +25,7 @@ class Linked:
     """For later passes over the page."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Role:
     """One role; ``roles/__init__.py`` lists them all."""
 

@@ -86,7 +86,7 @@ SMALL_CAPITALS = ("c2sc", "smcp")
 FORMULA_FEATURES = ("ccmp", "dtls", "flac", "kern", "mark", "mkmk", "ssty")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Face:
     """One web font: its source and its subset."""
 
@@ -109,17 +109,39 @@ class Face:
 def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:
     source_path = f"files/SourceSerifPro-{source}.ttf"
     features = BASIC_FEATURES + extra_features
-    return Face(file, "font_source_serif_pro", source_path, "Book Serif", style, TEXT, features)
+    return Face(
+        file=file,
+        package="font_source_serif_pro",
+        source=source_path,
+        family="Book Serif",
+        style=style,
+        characters=TEXT,
+        features=features,
+    )
 
 
 def _sans(file: str, source: str, style: str) -> Face:
     source_path = f"files/SourceSansPro-{source}.ttf"
-    return Face(file, "font_source_sans_pro", source_path, "Book Sans", style)
+    return Face(
+        file=file,
+        package="font_source_sans_pro",
+        source=source_path,
+        family="Book Sans",
+        style=style,
+    )
 
 
 def _maths(file: str, characters: frozenset[int]) -> Face:
     source = "fonts/STIXTwoMath-Regular.ttf"
-    return Face(file, "ziamath", source, "Book Maths", "Regular", characters, FORMULA_FEATURES)
+    return Face(
+        file=file,
+        package="ziamath",
+        source=source,
+        family="Book Maths",
+        style="Regular",
+        characters=characters,
+        features=FORMULA_FEATURES,
+    )
 
 
 FACES = (

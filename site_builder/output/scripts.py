@@ -93,11 +93,17 @@ def _bundle(sources: Mapping[str, Content], entry: str, others: tuple[str, ...])
             run_node([str(DRIVER), *places, entry, *others], given)
         except NodeError as error:
             message = f"cannot bundle the scripts of pages: {error}"
-            raise BuildError([Diagnostic(f"static/{entry}", 1, message)]) from None
+            raise BuildError(
+                [Diagnostic(path=f"static/{entry}", line=1, message=message)]
+            ) from None
         result = json.loads((out / "bundle.json").read_text(encoding="utf-8"))
         if result["errors"]:
             raise BuildError(
-                Diagnostic(normpath(f"static/{error['path']}"), error["line"], error["text"])
+                Diagnostic(
+                    path=normpath(f"static/{error['path']}"),
+                    line=error["line"],
+                    message=error["text"],
+                )
                 for error in result["errors"]
             )
         files = {

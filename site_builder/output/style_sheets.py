@@ -108,9 +108,9 @@ def join_style_sheets(
         legal = "legal: a style sheet beside this one"
         raise BuildError(
             Diagnostic(
-                f"static/{entry}",
-                sheet[: sheet.index(f'"{name}"')].count("\n") + 1,
-                f"cannot import {name!r}; {legal}",
+                path=f"static/{entry}",
+                line=sheet[: sheet.index(f'"{name}"')].count("\n") + 1,
+                message=f"cannot import {name!r}; {legal}",
             )
             for name in wrong
         )

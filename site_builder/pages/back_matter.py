@@ -15,7 +15,7 @@ from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.references.bibliography import Work
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Card:
     """A chapter as other pages name it, without its content."""
 
@@ -66,7 +66,7 @@ def atlas(chapter: Chapter) -> Atlas:
 
 
 def card(chapter: Chapter) -> Card:
-    return Card(*(getattr(chapter, name) for name in Card.__slots__))
+    return Card(**{name: getattr(chapter, name) for name in Card.__slots__})
 
 
 def by_letter[T](named: Iterable[tuple[str, T]]) -> Letters[T]:
@@ -84,7 +84,7 @@ def _plain(name: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class GlossaryEntry:
     definition: Definition
     explained: TermLink | None
     uses: tuple[TermLink, ...]
@@ -98,7 +98,7 @@ def marked_terms(chapter: Chapter, book: Book) -> list[Definition]:
     return [definition for definition in book.glossary if definition.term.name in marked]
 
 
-def view_glossary(book: Book) -> Letters[Entry]:
+def view_glossary(book: Book) -> Letters[GlossaryEntry]:
     """Every entry, under its letter."""
     places = {chapter.id: atlas(chapter) for chapter in book.chapters}
     uses = _first_uses(list(places.values()))
@@ -114,13 +114,13 @@ def _entry(
     places: Mapping[str, Atlas],
     uses: Sequence[TermLink],
     by_name: Mapping[str, Definition],
-) -> Entry:
+) -> GlossaryEntry:
     target, explained = definition.explained, None
     if target and target.chapter in places:
         explained = places[target.chapter].place(target.id, target.id, explains=True)
     related = set(definition.term.related)
     others = tuple(other for name, other in by_name.items() if name in related)
-    return Entry(definition, explained, tuple(uses), others)
+    return GlossaryEntry(definition, explained, tuple(uses), others)
 
 
 def _first_uses(chapters: Sequence[Atlas]) -> Mapping[str, Sequence[TermLink]]:

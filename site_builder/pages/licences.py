@@ -24,7 +24,7 @@ SEARCH = {
 """Name, use and repository of each package that searches."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Licence:
     """One part of the site, and under which terms it is there."""
 
@@ -58,12 +58,23 @@ def gather_licences(
     code = "https://github.com/"
     terms = words("licences.book", code=settings.licence.code, text=settings.licence.text)
     text, use = _text_of(root / "LICENSE"), words("licences.this_book")
-    licences = [Licence(settings.title, "", terms, use, "", text)]
+    licences = [
+        Licence(part=settings.title, version="", name=terms, use=use, address="", text=text)
+    ]
     if PACKED.is_dir():  # the engine's, as a wheel; in its repository it is also the book's
         text = _packaged_text(DISTRIBUTION, "licenses/LICENSE")
         text = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book
         engine = words("licences.engine")
-        licences.append(Licence(DISTRIBUTION, __version__, "MIT", engine, "", text))
+        licences.append(
+            Licence(
+                part=DISTRIBUTION,
+                version=__version__,
+                name="MIT",
+                use=engine,
+                address="",
+                text=text,
+            )
+        )
     if versions.pyodide:
         licences += _of_the_runtime(versions, words)
     for each in asked_for:
@@ -74,23 +85,52 @@ def gather_licences(
         licences.append(_licence_of(each, name, words(use), code + home))
     for shown in credits_of(root).values():
         use = words("licences.photograph", author=shown.author)
-        licences.append(Licence(shown.title, "", shown.licence, use, shown.address, ""))
+        licences.append(
+            Licence(
+                part=shown.title,
+                version="",
+                name=shown.licence,
+                use=use,
+                address=shown.address,
+                text="",
+            )
+        )
     for each in decoder:
         use = words("licences.decoder", name=f"{each.name} {each.version}")
         home = f"{code}LibRaw/LibRaw"
-        licences.append(Licence("LibRaw", "", each.license, use, home, each.text))
+        licences.append(
+            Licence(
+                part="LibRaw", version="", name=each.license, use=use, address=home, text=each.text
+            )
+        )
     ofl = _packaged_text("font-source-serif-pro", "files/LICENSE.txt")
     body = ofl[max(ofl.find("This Font Software is licensed under"), 0) :]  # others hold its rights
     for part, use, home, text in (
         (words("licences.fonts_name"), "licences.fonts", "adobe-fonts", ofl),
         ("STIX Two Math", "licences.maths_font", "stipub/stixfonts", body),
     ):
-        licences.append(Licence(part, "", OPEN_FONT, words(use), code + home, text))
+        licences.append(
+            Licence(
+                part=part,
+                version="",
+                name=OPEN_FONT,
+                use=words(use),
+                address=code + home,
+                text=text,
+            )
+        )
     return tuple(licences)
 
 
 def _licence_of(package: Package, name: str, use: str, home: str) -> Licence:
-    return Licence(name, package.version, package.license, use, home, package.text)
+    return Licence(
+        part=name,
+        version=package.version,
+        name=package.license,
+        use=use,
+        address=home,
+        text=package.text,
+    )
 
 
 def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
@@ -99,11 +139,27 @@ def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
     psf = psf or _packaged_text("typing_extensions", "LICENSE")
     bsd = _packaged_text("numpy", "licenses/LICENSE.txt")
     use, home = words("licences.pyodide"), "https://github.com/pyodide/pyodide"
-    yield Licence("Pyodide", versions.pyodide, "MPL 2.0", use, home, mpl)
+    yield Licence(
+        part="Pyodide", version=versions.pyodide, name="MPL 2.0", use=use, address=home, text=mpl
+    )
     name, use = words("licences.cpython_name"), words("licences.cpython")
-    yield Licence(name, versions.python, "PSF License 2.0", use, "https://www.python.org/", psf)
+    yield Licence(
+        part=name,
+        version=versions.python,
+        name="PSF License 2.0",
+        use=use,
+        address="https://www.python.org/",
+        text=psf,
+    )
     terms, use = words("licences.numpy_licence"), words("licences.numpy")
-    yield Licence("NumPy", versions.numpy, terms, use, "https://numpy.org/", bsd)
+    yield Licence(
+        part="NumPy",
+        version=versions.numpy,
+        name=terms,
+        use=use,
+        address="https://numpy.org/",
+        text=bsd,
+    )
 
 
 def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licence]:
@@ -116,7 +172,9 @@ def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licenc
     text = "\n\n\n".join(f"{', '.join(names)}\n\n{text}" for text, names in texts.items())
     terms = f" {words('licences.and')} ".join(sorted({package.license for package in packages}))
     name, use = words("licences.editor_name"), words("licences.editor")
-    yield Licence(name, "", terms, use, "https://codemirror.net/", text)
+    yield Licence(
+        part=name, version="", name=terms, use=use, address="https://codemirror.net/", text=text
+    )
 
 
 def _packaged_text(package: str, ending: str) -> str:

@@ -124,7 +124,7 @@ def _cards_only(book: Book) -> Book:
         chapters=cards,
         bibliography=NO_WORKS,
         lecture_plan=None,
-        asked=(),
+        search_words=(),
         glossary=tuple(glossary),
         symbols={},
     )

@@ -61,7 +61,7 @@ FIRST_FACES = ("serif-regular.woff2", "sans-regular.woff2")
 """Part that a reader meets first: text, and the line above it."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Site:
     root: Path
     """The project, with the modules that chapters quote."""

@@ -33,7 +33,7 @@ OPTIONAL = (
 ENTRY = re.compile(r"\s*@(\w+)\s*\{\s*([^,\s]+)\s*,")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Work:
     key: str
     kind: str

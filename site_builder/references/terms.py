@@ -29,7 +29,7 @@ GLOSSARY = "content/glossary.toml"
 NAMES = texts('["one", "another"]')
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Term:
     name: str
     says: str = key(TEXT)
@@ -198,7 +198,7 @@ ENTRY = "entry"
 
 
 @dataclass(frozen=True, slots=True)
-class News:
+class NewsItem:
     date: str = key(DAY)
     """``2026-11-22``."""
     title: str = key(TEXT)
@@ -212,18 +212,18 @@ class News:
         return f"{self.date}-{re.sub(r'[^a-z0-9]+', '-', self.title.lower()).strip('-')}"
 
 
-def read_news(sources: Sources, chapters: Collection[str]) -> tuple[News, ...]:
+def read_news(sources: Sources, chapters: Collection[str]) -> tuple[NewsItem, ...]:
     """All entries; none where there is no such file. Mistakes are reported."""
     toml = sources.toml(NEWS)
     if toml is None:
         return ()
     reader = Reader(NEWS, toml, sources.problems)
-    news = reader.tables(News, ENTRY) or ()
+    news = reader.tables(NewsItem, ENTRY) or ()
     _check_news(news, chapters, reader)
     return news
 
 
-def _check_news(news: Sequence[News], chapters: Collection[str], reader: Reader) -> None:
+def _check_news(news: Sequence[NewsItem], chapters: Collection[str], reader: Reader) -> None:
     """Report unknown chapters, entries out of order, and repeated ones."""
     for index, entry in enumerate(news):
         at, earlier = (ENTRY, index), news[:index]

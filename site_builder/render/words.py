@@ -93,7 +93,7 @@ type Describe = Callable[[Simulation], str]
 
 
 @dataclass(slots=True)
-class Section:
+class SectionText:
     """A heading and what stands below it, up to the next."""
 
     anchor: str
@@ -115,10 +115,10 @@ class Section:
 
 
 def sections_of(
-    blocks: Iterable[Block], describe: Describe, first: Section | None = None
-) -> tuple[Section, ...]:
+    blocks: Iterable[Block], describe: Describe, first: SectionText | None = None
+) -> tuple[SectionText, ...]:
     """What stands before the first heading, and each section; empty ones are left out."""
-    reader = _Reader(describe, [first or Section("")])
+    reader = _SectionReader(describe, [first or SectionText("")])
     reader.read(blocks)
     return reader.finished()
 
@@ -133,19 +133,19 @@ def reading_minutes(blocks: Iterable[Block], describe: Describe) -> int:
     return max(1, round(words / WORDS_A_MINUTE))
 
 
-def chapter_sections(chapter: Chapter, describe: Describe) -> tuple[Section, ...]:
+def chapter_sections(chapter: Chapter, describe: Describe) -> tuple[SectionText, ...]:
     """With the chapter's title and summary at the head of the first."""
-    first = Section("", chapter.title, said={"text": [f"{chapter.summary} "]})
+    first = SectionText("", chapter.title, said={"text": [f"{chapter.summary} "]})
     return sections_of(chapter.body, describe, first)
 
 
-def glossary_sections(book: Book, summary: str) -> Iterator[Section]:
+def glossary_sections(book: Book, summary: str) -> Iterator[SectionText]:
     """One for each term."""
-    yield Section("", book.words("glossary.title"), said={"text": [summary]})
+    yield SectionText("", book.words("glossary.title"), said={"text": [summary]})
     for definition in book.glossary:
         term = definition.term
-        entry = Section(term.id, term.name)
-        reader = _Reader(lambda _figure: "", [entry])
+        entry = SectionText(term.id, term.name)
+        reader = _SectionReader(lambda _figure: "", [entry])
         reader.add_words(definition.words, "text")
         if term.also:
             entry.add("text", f" {book.words('glossary.also')} {', '.join(term.also)}.")
@@ -154,9 +154,9 @@ def glossary_sections(book: Book, summary: str) -> Iterator[Section]:
 
 
 @dataclass(slots=True)
-class _Reader:
+class _SectionReader:
     describe: Describe
-    drafts: list[Section]
+    drafts: list[SectionText]
 
     def read(self, blocks: Iterable[Block]) -> None:
         for block in blocks:
@@ -164,7 +164,7 @@ class _Reader:
                 self.add_words(block.content.words, "text")
             elif isinstance(block.content, Deeper):
                 heading = block.content.heading
-                self.drafts.append(Section(heading.id, plain_words(heading.words)))
+                self.drafts.append(SectionText(heading.id, plain_words(heading.words)))
                 self.read(block.inside)
             elif plain := PLAIN[block.template]:
                 content = plain(block.content)
@@ -184,7 +184,7 @@ class _Reader:
         for piece in pieces(words):
             if piece.heading is not None:
                 if piece.heading != self.drafts[-1].anchor:
-                    self.drafts.append(Section(piece.heading))
+                    self.drafts.append(SectionText(piece.heading))
                 self.drafts[-1].title += piece.text
             elif piece.term:
                 if channel == "text":
@@ -193,7 +193,7 @@ class _Reader:
                 self.drafts[-1].add(channel, piece.text)
         self.drafts[-1].add(channel, " ")
 
-    def finished(self) -> tuple[Section, ...]:
+    def finished(self) -> tuple[SectionText, ...]:
         for draft in self.drafts:
             draft.title = " ".join(draft.title.split())
             terms = (" ".join(term.split()).rstrip(".,:;?") for term in draft.terms)

@@ -18,14 +18,14 @@ from site_builder.pages.back_matter import introductions
 from site_builder.programs.node import NODE, Package, installed_packages, read_package
 from site_builder.render.words import (
     Describe,
-    Section,
+    SectionText,
     chapter_sections,
     glossary_sections,
     plain_words,
 )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Record:
     """A section as the index stores it; the names are those of ``static/js/search/ranking.ts``."""
 
@@ -59,10 +59,10 @@ class Records:
     _introduced: set[str] = field(default_factory=set)
     _numbers: Iterator[int] = field(default_factory=count)
 
-    def of_page(self, path: str, sections: Sequence[Section]) -> tuple[Record, ...]:
+    def of_page(self, path: str, sections: Sequence[SectionText]) -> tuple[Record, ...]:
         return tuple(self._record(path, section, sections[0].title) for section in sections)
 
-    def _record(self, path: str, section: Section, title: str) -> Record:
+    def _record(self, path: str, section: SectionText, title: str) -> Record:
         introduced = self._introduced
         fresh = [term for term in section.terms if term.casefold() not in introduced]
         if section.anchor:  # what stands before it names things that are explained later
@@ -90,7 +90,7 @@ def make_records(book: Book, describe: Describe) -> PageRecords:
     """The records of all chapters, then those of the glossary."""
     asked = {
         _address(f"{section.chapter}/index.html", section.id): words
-        for section, words in book.asked
+        for section, words in book.search_words
     }
     records = Records(explained_terms(book), asked)
     pages = [

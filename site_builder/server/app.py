@@ -42,7 +42,7 @@ class State:
         return f"event: built\ndata: {json.dumps(data)}\n\n"
 
 
-class News:
+class BuildEvents:
     """The present state, and a stream of it for each open page."""
 
     def __init__(self) -> None:
@@ -92,7 +92,7 @@ WAITING = (
 """Shown until the first good build; mistakes are laid over it."""
 
 
-def make_app(out: Path, news: News, host: str) -> Starlette:
+def make_app(out: Path, news: BuildEvents, host: str) -> Starlette:
     """An application that serves the folder ``out``. Requests for a host name other than this
     server's are refused (DNS rebinding)."""
     for suffix, media_type in TYPES.items():
@@ -118,7 +118,7 @@ def make_app(out: Path, news: News, host: str) -> Starlette:
 class _Site(StaticFiles):
     """The files of the last good build, which browsers revalidate at every load."""
 
-    def __init__(self, out: Path, news: News) -> None:
+    def __init__(self, out: Path, news: BuildEvents) -> None:
         super().__init__(directory=out, html=True, check_dir=False)
         self._out, self._news = out, news
 

@@ -20,7 +20,7 @@ from site_builder.assets.page_assets import NOW, STYLE_SHEET
 from site_builder.diagnostics.diagnostic import END
 from site_builder.files.engine import ENGINE, STATIC
 from site_builder.files.folders import folder_files, replace_file
-from site_builder.server.app import News, make_app
+from site_builder.server.app import BuildEvents, make_app
 
 DEBOUNCE_MS = 100
 STEP_MS = 10
@@ -83,14 +83,14 @@ type Files = dict[str, tuple[int, int]]
 """Time of change and size of files, by name."""
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, kw_only=True)
 class Builds:
     """Builds the book at ``root`` into ``out``, and reports the outcome to ``news``."""
 
     root: Path
     out: Path
     runtime: bool
-    news: News
+    news: BuildEvents
     address: str
     """Printed after the first build."""
     _sheets: dict[Path, str] = field(default_factory=dict)
@@ -226,7 +226,9 @@ def serve(root: Path, out: Path, port: int, *, runtime: bool, host: str = LOOPBA
     with listen(host, port) as listener:
         shown = "localhost" if host == LOOPBACK else host
         address = f"http://{shown}:{listener.getsockname()[1]}/"
-        builds = Builds(root, out.resolve(), runtime, News(), address)
+        builds = Builds(
+            root=root, out=out.resolve(), runtime=runtime, news=BuildEvents(), address=address
+        )
         signal.signal(signal.SIGTERM, signal.default_int_handler)
         try:
             asyncio.run(_serve(builds, listener, host))

@@ -39,7 +39,7 @@ HOSTS = ("apache", "netlify", "nginx")
 
 
 @dataclass(frozen=True, slots=True)
-class Licence:
+class BookLicence:
     """Under which terms the book is here."""
 
     code: str = key(TEXT, "the licence of the code, as the foot of every page names it", "MIT")
@@ -75,7 +75,7 @@ class Imprint:
         )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Labels:
     """What numbered things are called; nothing where the language's own word holds."""
 
@@ -133,7 +133,7 @@ class ReadingPath:
     )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Theme:
     """How pages look."""
 
@@ -154,7 +154,7 @@ class Trust:
     )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Settings:
     """The whole file."""
 
@@ -191,7 +191,9 @@ class Settings:
     source: str = key(
         SOURCE, "where its sources can be read, `{path}` for a file's path", "", without="unknown"
     )
-    licence: Licence = key(table(Licence), "under which terms the book is here", Licence())
+    licence: BookLicence = key(
+        table(BookLicence), "under which terms the book is here", BookLicence()
+    )
     imprint: Imprint = key(table(Imprint), "what the book is cited by", Imprint())
     labels: Labels = key(table(Labels), "what numbered things are called", Labels())
     macros: Mapping[str, str] = key(
@@ -232,7 +234,7 @@ def read_settings(sources: Sources) -> tuple[Settings, Toml]:
         if read is not None:
             required = ", ".join(item.name for item in keys_of(Settings) if item.required)
             sources.problems.add(FILE_NAME, 1, f"no outline; legal: a file with {required}")
-        return Settings("", "", "", ()), Toml()
+        return Settings(title="", subtitle="", prerequisites="", chapters=()), Toml()
     return Reader(FILE_NAME, read, sources.problems).table(Settings, read.table), read
 
 

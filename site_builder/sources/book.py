@@ -45,9 +45,9 @@ from site_builder.sources.outline import (
     Outline,
     check_addresses,
     check_boxes,
-    read_asked,
     read_lecture_plan,
     read_outline,
+    read_search_words,
 )
 
 
@@ -66,13 +66,13 @@ class ChapterSource:
     def chapter_targets(self) -> ChapterTargets:
         """The targets of the chapter; its mistakes are reported by `read`."""
         return cached_result(
-            "chapter targets", self._given(), lambda: chapter_targets(self._parsed())
+            "chapter targets", self._inputs(), lambda: chapter_targets(self._parsed())
         )
 
     def read(self, targets: Targets, state: bytes, problems: Diagnostics) -> Chapter:
         """The whole chapter; mistakes go to ``problems`` and reading goes on. ``state``:
         `_targets_state` of the targets."""
-        key = hash_of(self._given(), state)
+        key = hash_of(self._inputs(), state)
 
         def read(own: Diagnostics) -> Chapter:
             parsed, self._parsed_chapter = self._parsed(), None
@@ -83,15 +83,15 @@ class ChapterSource:
 
         return cached_reading("chapter", (key, self.shared.load_scene), problems, read)
 
-    def _given(self) -> tuple[object, ...]:
+    def _inputs(self) -> tuple[object, ...]:
         return self.state, self.path, self.text, self.position
 
     def _parsed(self) -> ParsedChapter:
         if self._parsed_chapter is None:
             context = ParseContext(
-                self.path,
-                self.shared,
-                Diagnostics(),
+                path=self.path,
+                shared=self.shared,
+                problems=Diagnostics(),
                 chapter=chapter_id(self.path),
                 position=self.position,
             )
@@ -138,8 +138,8 @@ def read_book(
     check_boxes(outline, problems)
     _check_unlisted(sources, outline)
 
-    glossary = ParseContext(GLOSSARY, shared, problems, targets=targets)
-    symbols = ParseContext(SYMBOLS, shared, problems, targets=targets)
+    glossary = ParseContext(path=GLOSSARY, shared=shared, problems=problems, targets=targets)
+    symbols = ParseContext(path=SYMBOLS, shared=shared, problems=problems, targets=targets)
     return Book(
         title=settings.title,
         subtitle=settings.subtitle,
@@ -155,7 +155,7 @@ def read_book(
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(sources, targets),
-        asked=tuple(read_asked(sources, targets)),
+        search_words=tuple(read_search_words(sources, targets)),
         glossary=read_definitions(glossary),
         symbols=read_meanings(read_symbols(sources), symbols),
     )
@@ -176,16 +176,16 @@ def _read_shared(
         lambda own: read_bibliography(Sources(sources.root, own), words),
     )
     return Shared(
-        sources.root,
-        load_scene,
-        make_parser(words, settings.boxes),
-        words,
-        measurements or Measurements(),
-        settings.trust.raw_html,
-        outline.macros,
-        bibliography,
-        read_glossary(sources, words),
-        tuple(settings.colours),
+        root=sources.root,
+        load_scene=load_scene,
+        parser=make_parser(words, settings.boxes),
+        words=words,
+        measurements=measurements or Measurements(),
+        raw_html=settings.trust.raw_html,
+        macros=outline.macros,
+        bibliography=bibliography,
+        glossary=read_glossary(sources, words),
+        colours=tuple(settings.colours),
     )
 
 
@@ -250,13 +250,15 @@ def _read_hero(outline: Outline, shared: Shared, problems: Diagnostics) -> Simul
         problems.add(OUTLINE, line, str(error), raised_by_code(error))
         return None
     name, tier = f"figure-{scene.id}", scene.accuracy.default
-    return Simulation(scene, name, {}, tier, caption, OUTLINE, line)
+    return Simulation(
+        scene=scene, id=name, values={}, tier=tier, caption=caption, path=OUTLINE, line=line
+    )
 
 
 def _read_hero_caption(outline: Outline, shared: Shared, problems: Diagnostics) -> Passage:
     """The title page has no list of works and no marks of terms."""
     alone = replace(shared, bibliography=NO_WORKS, glossary=NO_TERMS)
-    context = ParseContext(OUTLINE, alone, problems)
+    context = ParseContext(path=OUTLINE, shared=alone, problems=problems)
     caption = inline_passage(outline.settings.hero_caption, outline.hero_line, context)
     for link in context.links:
         message = f"link {link.target!r} in the cover's caption; legal: 'https://…'"

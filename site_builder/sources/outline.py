@@ -58,7 +58,7 @@ OWN_FOLDERS = (
 """Folders of the site beside those of its chapters."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Outline:
     """``book.toml``, with its chapters in order."""
 
@@ -87,8 +87,8 @@ def read_outline(sources: Sources) -> Outline:
     check_colours(settings, sources, toml)
     _check_parts(settings.parts, [*map(chapter_id, settings.chapters)], toml, problems)
     return Outline(
-        settings,
-        words,
+        settings=settings,
+        words=words,
         chapters=tuple(
             (name, toml.line_of_text(name), position)
             for name, position in _positions(settings, words)
@@ -219,21 +219,25 @@ def _closing(chapter: str, targets: Targets) -> Taught | None:
     return _taught(found[0], targets) if found else None
 
 
-ASKED = "content/search.toml"
+SEARCH_WORDS = "content/search.toml"
 WORDS = texts('["words of a reader", …]', least=1)
 
 
-def read_asked(sources: Sources, targets: Targets) -> Iterator[tuple[Target, tuple[str, ...]]]:
+def read_search_words(
+    sources: Sources, targets: Targets
+) -> Iterator[tuple[Target, tuple[str, ...]]]:
     """Sections, and words by which readers look for them. Mistakes are reported."""
-    toml = sources.toml(ASKED) or Toml()
-    reader = Reader(ASKED, toml, sources.problems)
+    toml = sources.toml(SEARCH_WORDS) or Toml()
+    reader = Reader(SEARCH_WORDS, toml, sources.problems)
     declared = [Key(place, WORDS, "", (), "") for place in toml.table]
     taken: dict[str, str] = {}
     for place, asked in reader.values(declared, toml.table).items():
         for words in asked:
             if taken.setdefault(words.casefold(), place) != place:
                 message = f"{words!r} leads to {taken[words.casefold()]}; legal: to one section"
-                sources.problems.add(ASKED, toml.line_of_text(words, toml.line(place)), message)
+                sources.problems.add(
+                    SEARCH_WORDS, toml.line_of_text(words, toml.line(place)), message
+                )
         try:
             yield _section(place, targets), asked
         except LookupError as error:

@@ -160,7 +160,18 @@ def test_book_is_built_with_warnings_without_editor_and_search(
 
 
 def record(number: int) -> Record:
-    return Record(number, f"page/#{number}", "Page", "Title", (), (), (), "Some text.", "", "")
+    return Record(
+        id=number,
+        address=f"page/#{number}",
+        chapter="Page",
+        title="Title",
+        introduced=(),
+        explains=(),
+        asked=(),
+        text="Some text.",
+        figures="",
+        questions="",
+    )
 
 
 def test_index_has_every_section_and_a_fault_under_node_is_reported(tmp_path: Path) -> None:

@@ -83,9 +83,9 @@ def test_column_is_given_only_if_it_is_unambiguous(
     tmp_path: Path, message: str, column: int | None
 ) -> None:
     (tmp_path / "a.md").write_text("\nabcb\n")
-    assert column_of(Diagnostic("a.md", 2, message), tmp_path) == column
-    assert column_of(Diagnostic("a.md", 9, message), tmp_path) is None
-    assert column_of(Diagnostic("b.md", 2, message), tmp_path) is None
+    assert column_of(Diagnostic(path="a.md", line=2, message=message), tmp_path) == column
+    assert column_of(Diagnostic(path="a.md", line=9, message=message), tmp_path) is None
+    assert column_of(Diagnostic(path="b.md", line=2, message=message), tmp_path) is None
 
 
 @pytest.mark.parametrize(

@@ -195,7 +195,16 @@ def draw(_settings: Any, _outputs: Outputs) -> Frame:
 def initial_frame(settings: type, in_sight: tuple[str, ...] = ()) -> InitialFrame:
     scene = Scene("s", "S", settings, draw)
     values = {control.name: control.default for control in scene.controls}
-    figure = Simulation(scene, "figure-s", {}, "", Passage(), "", 1, in_sight=in_sight)
+    figure = Simulation(
+        scene=scene,
+        id="figure-s",
+        values={},
+        tier="",
+        caption=Passage(),
+        path="",
+        line=1,
+        in_sight=in_sight,
+    )
     return InitialFrame(figure, values, draw(None, {}), {})
 
 

@@ -57,6 +57,15 @@ def test_links_lead_to_files_with_unusual_names(make_book: MakeBook, tmp_path: P
         assert len([name for name in book.namelist() if "/images/" in name]) == len(PICTURES)
 
 
+def test_escape_sequences_and_line_breaks_in_file_names_are_not_printed(
+    make_book: MakeBook,
+) -> None:
+    names = ("content/a\x1b[31m\nb.md:1: c.md", "content/img\x1b[2J\nz.svg")
+    body = ":::{figure} other.png\n:alt: A.\nB.\n:::\n"
+    for one in diagnostics(make_book(body, dict.fromkeys(names, "A."))):
+        assert str(one).isprintable()
+
+
 SIDE_FILES = {
     "content/._00-first.md": "\0",
     "content/.00-first.md.swp": "\0",

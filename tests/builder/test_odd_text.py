@@ -143,8 +143,10 @@ def assert_read_in_time(text: str) -> None:
     """Read a chapter like the build does; each diagnostic has one of its lines."""
     before = time.process_time()
     problems = Diagnostics()
-    shared = Shared(ROOT, load_demo, make_parser())
-    reading = ParseContext("content/00-first.md", shared, problems, chapter="first")
+    shared = Shared(root=ROOT, load_scene=load_demo, parser=make_parser())
+    reading = ParseContext(
+        path="content/00-first.md", shared=shared, problems=problems, chapter="first"
+    )
     parsed = parse_chapter(text, reading)
     read_chapter(parsed, find_targets([chapter_targets(parsed)], problems))
     assert time.process_time() - before < LONGEST_S

@@ -14,7 +14,7 @@ from PIL import Image
 from support.little_book import MakeBook
 from support.places import ROOT
 
-from site_builder.assets.page_assets import as_shown
+from site_builder.assets.page_assets import scaled_picture
 from site_builder.build import render_site
 from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.output.scripts import bundle_scripts
@@ -209,5 +209,5 @@ def test_picture_ships_with_two_pixels_per_displayed_pixel(
 ) -> None:
     picture = Image.new("P" if name.endswith("png") else "RGB", size)
     picture.save(tmp_path / name)
-    with Image.open(BytesIO(content_bytes(as_shown(tmp_path / name, width)))) as made:
+    with Image.open(BytesIO(content_bytes(scaled_picture(tmp_path / name, width)))) as made:
         assert made.size == shipped

@@ -15,7 +15,7 @@ from support.engine import Engine
 from support.places import GERMAN_BOOK
 
 from site_builder.server import command as module
-from site_builder.server.app import News, State, make_app
+from site_builder.server.app import BuildEvents, State, make_app
 from site_builder.server.command import Builds, changes, listen
 
 FILES = ("a.mjs", "a.wasm", "404.html", "book.json", "a.woff2", "folder/a.css", "b/index.html")
@@ -28,8 +28,8 @@ def run[T](task: Coroutine[object, object, T]) -> T:
 
 
 @pytest.fixture
-def news() -> News:
-    return News()
+def news() -> BuildEvents:
+    return BuildEvents()
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ def site(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def client(site: Path, news: News) -> TestClient:
+def client(site: Path, news: BuildEvents) -> TestClient:
     news.succeed([])
     return TestClient(make_app(site, news, "127.0.0.1"), "http://localhost:8000")
 
@@ -83,7 +83,7 @@ def test_unknown_address_gets_the_books_404_page(client: TestClient, path: str) 
     ],
 )
 def test_request_under_another_host_name_is_refused(
-    site: Path, news: News, host: str, name: str, status: int
+    site: Path, news: BuildEvents, host: str, name: str, status: int
 ) -> None:
     news.succeed([])
     client = TestClient(make_app(site, news, host))
@@ -92,7 +92,7 @@ def test_request_under_another_host_name_is_refused(
 
 
 def test_deleted_site_is_reported_as_being_built(
-    client: TestClient, site: Path, news: News
+    client: TestClient, site: Path, news: BuildEvents
 ) -> None:
     shutil.rmtree(site)
     reply = client.get("/b/")
@@ -174,7 +174,13 @@ def builds(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Builds:
     (tmp_path / "site_builder").mkdir()
     (tmp_path / "site").mkdir()
     monkeypatch.setattr("site_builder.server.command.ENGINE", tmp_path)
-    return Builds(tmp_path, tmp_path / "site", True, News(), "http://localhost:8000/")
+    return Builds(
+        root=tmp_path,
+        out=tmp_path / "site",
+        runtime=True,
+        news=BuildEvents(),
+        address="http://localhost:8000/",
+    )
 
 
 def write_builder(builds: Builds, then: str = "") -> None:

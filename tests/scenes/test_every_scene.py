@@ -104,7 +104,15 @@ def test_initial_frame_equals_the_scenes_frame(scene: str, monkeypatch: pytest.M
     monkeypatch.setattr(initial_frames, "FRAMES", 2)
     of: Scene[Any] = SCENES[scene]
     start = values_of(of.check({}))
-    figure = Simulation(of, f"figure-{scene}", {}, of.accuracy.default, Passage(), "", 1)
+    figure = Simulation(
+        scene=of,
+        id=f"figure-{scene}",
+        values={},
+        tier=of.accuracy.default,
+        caption=Passage(),
+        path="",
+        line=1,
+    )
     strip = initial_frames.prerender("page", figure)
     if strip is None:
         return

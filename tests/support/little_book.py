@@ -115,7 +115,9 @@ def write_book(
         if content is not None:
             (root / path).parent.mkdir(parents=True, exist_ok=True)
             (root / path).write_text(content, encoding="utf-8")
-    return Options(root, runtime=False, search=False, load_scene=load_demo, load_ladder=toy_ladder)
+    return Options(
+        root=root, runtime=False, search=False, load_scene=load_demo, load_ladder=toy_ladder
+    )
 
 
 @pytest.fixture

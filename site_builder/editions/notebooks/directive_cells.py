@@ -82,14 +82,14 @@ def illustration(drawn: DrawnIllustration, block: Block, page: ChapterPage) -> I
     name = f"{block.target.id if block.target else 'illustration'}.png"
     picture = page.picture(drawn.illustration.panels)
     words = Passage((*drawn.caption.tokens, *drawn.sentences.tokens))
-    yield _pictured(block, page, drawn.description, {name: picture}, words)
+    yield _picture_part(block, page, drawn.description, {name: picture}, words)
 
 
 def figure(shown: PictureFile, block: Block, page: ChapterPage) -> Iterator[Part]:
-    yield _pictured(block, page, shown.alt, _file(shown.file, page), shown.caption)
+    yield _picture_part(block, page, shown.alt, _file(shown.file, page), shown.caption)
 
 
-def _pictured(
+def _picture_part(
     block: Block, page: ChapterPage, alt: str, picture: Mapping[str, bytes], caption: Passage
 ) -> Text:
     (name,) = picture

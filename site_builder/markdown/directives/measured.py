@@ -79,9 +79,9 @@ LADDER = Directive(
     doc="a measured speed/accuracy ladder",
     argument=Argument("id", lacks="names no ladder"),
     options=(
-        OptionLine("default", doc="why its default was chosen"),
-        OptionLine("metric", doc="another of its metrics to judge by"),
-        OptionLine("chart", doc="chart and table at first", expected=("folded", "open")),
+        OptionLine(name="default", doc="why its default was chosen"),
+        OptionLine(name="metric", doc="another of its metrics to judge by"),
+        OptionLine(name="chart", doc="chart and table at first", expected=("folded", "open")),
     ),
     body=CAPTION,
     read=read_ladder,
@@ -146,7 +146,7 @@ STAGE_COSTS = Directive(
 FILES = hard_case_tables()
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class HardCaseRow:
     """A line of a table: a hard case with every answer computed and put into words."""
 

@@ -32,7 +32,7 @@ ALIKE = 0.01
 """Largest difference between the proportions of a picture and its dark variant."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class PictureFile:
     file: str
     """Path below ``content/``."""
@@ -54,7 +54,14 @@ def read_picture_file(call: DirectiveCall, caption: Passage, context: ParseConte
     if size and other and abs(size[0] * other[1] / (size[1] * other[0]) - 1) > ALIKE:
         shapes = "{} × {} for a picture of {} × {}".format(*other, *size)
         context.problem(call.line_of("dark"), f"dark variant of {shapes}; legal: its shape")
-    return PictureFile(call.argument, call.text("alt"), caption, size, call.text("width"), dark)
+    return PictureFile(
+        file=call.argument,
+        alt=call.text("alt"),
+        caption=caption,
+        size=size,
+        width=call.text("width"),
+        dark=dark,
+    )
 
 
 FIGURE = Directive(
@@ -62,9 +69,9 @@ FIGURE = Directive(
     doc="a picture of yours, scaled down to what screens can show of it",
     argument=Argument("images/file.svg", lacks="names no picture", file=PICTURES),
     options=(
-        OptionLine("alt", doc="what the picture shows", required=True),
-        OptionLine("width", doc="how wide it is shown, `60%` or `320px`", form=WIDTH),
-        OptionLine("dark", doc="a picture for dark paper, `images/dark.svg`", file=PICTURES),
+        OptionLine(name="alt", doc="what the picture shows", required=True),
+        OptionLine(name="width", doc="how wide it is shown, `60%` or `320px`", form=WIDTH),
+        OptionLine(name="dark", doc="a picture for dark paper, `images/dark.svg`", file=PICTURES),
         LABEL,
     ),
     body=CAPTION,
@@ -136,7 +143,7 @@ ILLUSTRATION = Directive(
     name="illustration",
     doc="a drawing made by the book's models",
     argument=Argument("name", "names no drawing", MODULES, "illustration"),
-    options=(OptionLine("alt", doc="what it shows, instead of its own description"), LABEL),
+    options=(OptionLine(name="alt", doc="what it shows, instead of its own description"), LABEL),
     body=Body("a caption; for a drawing in steps, a numbered list of sentences", CAPTION.read),
     read=read_illustration,
     template="illustration",

@@ -65,7 +65,7 @@ def question_directive[Q: Question](
             decides=asked.decides or (0.0 if made is Quiz else None),
         )
 
-    kind = OptionLine("kind", doc=kind_doc, expected=names_of_kinds(name))
+    kind = OptionLine(name="kind", doc=kind_doc, expected=names_of_kinds(name))
     return Directive(
         name=name,
         doc=doc,

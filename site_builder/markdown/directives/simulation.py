@@ -60,9 +60,11 @@ SIMULATION = Directive(
     argument=Argument("scene-id", lacks="names no scene"),
     options=(
         LABEL,
-        OptionLine("tier", doc="its accuracy at first"),
-        OptionLine("show", doc="the controls and readouts that are not folded"),
-        OptionLine("yours", doc="whether the reader’s photographs go in", expected=("no", "yes")),
+        OptionLine(name="tier", doc="its accuracy at first"),
+        OptionLine(name="show", doc="the controls and readouts that are not folded"),
+        OptionLine(
+            name="yours", doc="whether the reader’s photographs go in", expected=("no", "yes")
+        ),
     ),
     more_options="the starting value of any control",
     body=Body("what to try, and in further paragraphs what it shows", plain_tokens),

@@ -31,14 +31,30 @@ def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) ->
         line = getattr(error, "lineno", None) or 1
         raise CodeError(f"module {module!r} is no Python: {path}:{line}") from None
     if not name:
-        return Source(module, name, path, 1, source, (0, 0), caption)
+        return Source(
+            module=module,
+            name=name,
+            path=path,
+            first_line=1,
+            code=source,
+            docstring=(0, 0),
+            caption=caption,
+        )
     if name not in definitions:
         public = [known for known in definitions if not known.startswith("_")]
         raise CodeError(unknown(f"definition in {module}", name, public))
     first, last = _span(definitions[name])
     code = dedent("\n".join(source.split("\n")[first - 1 : last])) + "\n"
     start, end = _docstring(definitions[name])
-    return Source(module, name, path, first, code, (start - first, end - first), caption)
+    return Source(
+        module=module,
+        name=name,
+        path=path,
+        first_line=first,
+        code=code,
+        docstring=(start - first, end - first),
+        caption=caption,
+    )
 
 
 def _definitions(source: str) -> dict[str, Definition]:

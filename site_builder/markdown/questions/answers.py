@@ -19,7 +19,7 @@ MARKS = {"[ ]": "wrong", "[x]": "right", "[X]": "right", "[?]": "computed"}
 LEGAL_MARKS = "'- [ ] …' or '- [x] …'"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Answer:
     """One item, read: its words, what stands in code in front of them, and its reply."""
 
@@ -90,16 +90,18 @@ def _answer(
     mark = _take_mark(lines, line, context) if marked else ""
     if mark is None:
         return None
-    said, reply = _said_and_reply(lines)
-    code = _take_code(said) if coded or mark == "computed" else ""
-    words, replied = (Token("inline", "", 0, children=part) for part in (said, reply))
+    answer, reply = _answer_and_reply(lines)
+    code = _take_code(answer) if coded or mark == "computed" else ""
+    words, replied = (Token("inline", "", 0, children=part) for part in (answer, reply))
     text = plain_text(words)
     if not text and not code:
         context.problem(line, "an answer without text; legal: '- [ ] some text'")
     if replies and not reply:
         expected = "a ': …' line below it"
         context.problem(line, f"answer {text or code!r} is not explained; legal: {expected}")
-    return Answer(mark, code, passage([words]), text, passage([replied]), line)
+    return Answer(
+        mark=mark, code=code, words=passage([words]), text=text, reply=passage([replied]), line=line
+    )
 
 
 def _take_mark(lines: list[list[Token]], line: int, context: ParseContext) -> str | None:
@@ -113,7 +115,7 @@ def _take_mark(lines: list[list[Token]], line: int, context: ParseContext) -> st
     return MARKS[written]
 
 
-def _said_and_reply(lines: list[list[Token]]) -> tuple[list[Token], list[Token]]:
+def _answer_and_reply(lines: list[list[Token]]) -> tuple[list[Token], list[Token]]:
     texts: tuple[list[Token], list[Token]] = ([], [])
     explaining = False
     for line in lines:
@@ -124,15 +126,15 @@ def _said_and_reply(lines: list[list[Token]]) -> tuple[list[Token], list[Token]]
     return texts[0][:-1], texts[1][:-1]
 
 
-def _take_code(said: list[Token]) -> str:
+def _take_code(tokens: list[Token]) -> str:
     """The expression that an answer begins with, which leaves its words; nothing without one."""
-    while said and said[0].type == "text" and not said[0].content.strip():
-        del said[0]
-    if not said or said[0].type != "code_inline":
+    while tokens and tokens[0].type == "text" and not tokens[0].content.strip():
+        del tokens[0]
+    if not tokens or tokens[0].type != "code_inline":
         return ""
-    code = said.pop(0).content
-    if said and said[0].type == "text":
-        said[0].content = said[0].content.lstrip()
+    code = tokens.pop(0).content
+    if tokens and tokens[0].type == "text":
+        tokens[0].content = tokens[0].content.lstrip()
     return code
 
 

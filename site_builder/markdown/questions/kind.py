@@ -22,11 +22,11 @@ from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 
 HERE = Path(__file__).parent
-FIGURE_LINE = OptionLine("figure", doc="the element id of a figure of the page")
+FIGURE_LINE = OptionLine(name="figure", doc="the element id of a figure of the page")
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class QuestionBody:
     """The body of a question, as its kind has read it."""
 
     prompt: tuple[Token, ...]
@@ -38,12 +38,12 @@ class Asked:
     value are forgotten."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class QuestionKind:
     folder: str
     doc: str
     """In the authors' guide: ``a number within a tolerance``."""
-    read: Callable[[DirectiveCall, Sequence[Token], ParseContext], Asked | None]
+    read: Callable[[DirectiveCall, Sequence[Token], ParseContext], QuestionBody | None]
     """None, and a report, where mistakes leave nothing to ask."""
     quiz: tuple[str, ...] = ()
     """What a ``{quiz}`` of it writes behind ``:kind:``; nothing where no quiz may be of it."""

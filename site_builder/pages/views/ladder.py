@@ -37,7 +37,7 @@ class TierRow:
     """Whether the verdict is that another tier should be taken."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LadderView:
     """A ladder's figure, ready for ``blocks/ladder.html``."""
 

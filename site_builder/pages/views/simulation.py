@@ -107,7 +107,7 @@ ROOM = 0.24
 """Height that controls and readouts need there, as a share of the same width."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class HandleView:
     """What can be grabbed in a panel, and where it is at first."""
 
@@ -136,7 +136,7 @@ class PanelView:
     handles: tuple[HandleView, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SimulationView:
     """A figure, ready for ``blocks/simulation.html``, beside what its directive says."""
 
@@ -263,7 +263,12 @@ def _handles(initial_frame: InitialFrame, panel: str, words: Words) -> tuple[Han
             reach = driven[0].span(values[driven[0].name])
         place = places.get(handle.name)
         return HandleView(
-            handle, place, ", ".join(said), reach, _keys(driven, words), _hint(handle, words)
+            handle=handle,
+            place=place,
+            text=", ".join(said),
+            range=reach,
+            keys=_keys(driven, words),
+            hint=_hint(handle, words),
         )
 
     return tuple(view(handle) for handle in scene.handles if handle.panel == panel)

@@ -9,15 +9,15 @@ from site_builder.markdown.calculation import truth
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Answer, check_answers, read_answers
-from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.markdown.questions.kind import QuestionBody, QuestionKind
 
 SEVERAL = "multiple"
 """The name of a question that may have several right answers."""
 
 
-def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
-    asked = read_answers(call, body, context)
-    judged = ((answer, _is_right(answer, context)) for answer in asked.read)
+def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> QuestionBody:
+    answers = read_answers(call, body, context)
+    judged = ((answer, _is_right(answer, context)) for answer in answers.read)
     options = tuple(
         Option(answer.words, answer.text, right, answer.reply)
         for answer, right in judged
@@ -25,8 +25,8 @@ def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContex
     )
     one = f"one, or ':kind: {SEVERAL}'" if call.name == "quiz" else "one"
     right = "" if call.text("kind") == SEVERAL else one
-    check_answers(call, options, asked.count, context, right=right)
-    return Asked(asked.prompt, options)
+    check_answers(call, options, answers.count, context, right=right)
+    return QuestionBody(answers.prompt, options)
 
 
 def _is_right(answer: Answer, context: ParseContext) -> bool | None:

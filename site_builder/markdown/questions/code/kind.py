@@ -21,14 +21,14 @@ from site_builder.files.engine import own_or_engine
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import read_answers
-from site_builder.markdown.questions.kind import FIGURE_LINE, Asked, QuestionKind
+from site_builder.markdown.questions.kind import FIGURE_LINE, QuestionBody, QuestionKind
 from site_builder.markdown.text.code import PARTS
 
 DEFINITION = r"simulations(\.\w+)+:\w+"
 
 
-@dataclass(frozen=True, slots=True)
-class Task:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CodeTask:
     """What is to be written. Translations have the same, but for words."""
 
     exercise: Exercise = field(compare=False)
@@ -42,7 +42,9 @@ class Task:
     settings: Mapping[str, str] | None = None
 
 
-def read_task(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked | None:
+def read_task(
+    call: DirectiveCall, body: Sequence[Token], context: ParseContext
+) -> QuestionBody | None:
     parts: dict[str, list[Token]] = {name: [] for name in PARTS}
     for token in body:
         if token.type == "fence" and token.info.strip() in PARTS:
@@ -74,17 +76,17 @@ def read_task(call: DirectiveCall, body: Sequence[Token], context: ParseContext)
     )
     answers = (*parts["solution"], *parts["wrong"])
     options = tuple(_option(token, context) for token in answers)
-    task = Task(
-        exercise,
-        parts["starter"][0].content,
-        tuple(hint.words for hint in hints.read),
-        tuple(token.map[0] + 1 if token.map else call.line for token in answers),
-        context.shared.measurements.find(ladder, "") if ladder else None,
-        figure,
-        dict(pair.split("=", 1) for pair in settings.split() if "=" in pair),
+    task = CodeTask(
+        exercise=exercise,
+        starter=parts["starter"][0].content,
+        hints=tuple(hint.words for hint in hints.read),
+        lines=tuple(token.map[0] + 1 if token.map else call.line for token in answers),
+        measured=context.shared.measurements.find(ladder, "") if ladder else None,
+        figure=figure,
+        settings=dict(pair.split("=", 1) for pair in settings.split() if "=" in pair),
     )
     judges = [exercise.check, exercise.model, exercise.adapter, call.text("ladder")]
-    return Asked(hints.prompt, options, task, decides=[judges, exercise.hard])
+    return QuestionBody(hints.prompt, options, task, decides=[judges, exercise.hard])
 
 
 def _option(token: Token, context: ParseContext) -> Option:
@@ -131,7 +133,7 @@ def _hard_cases(call: DirectiveCall, context: ParseContext) -> Mapping[str, obje
 
 
 def _page_data(question: Question) -> Mapping[str, object]:
-    task: Task = question.details
+    task: CodeTask = question.details
     return {
         "program": asdict(task.exercise),
         "starter": task.starter,
@@ -147,12 +149,14 @@ CODE = QuestionKind(
     quiz=("code",),
     options=(
         OptionLine(
-            "model",
+            name="model",
             doc="the book's function for the same, `simulations.models.room.module:function`",
             form=DEFINITION,
         ),
-        OptionLine("ladder", doc="a ladder, and its tier of the same method, `ladder-id tier`"),
-        OptionLine("hard", doc="a table of hard cases"),
+        OptionLine(
+            name="ladder", doc="a ladder, and its tier of the same method, `ladder-id tier`"
+        ),
+        OptionLine(name="hard", doc="a table of hard cases"),
         FIGURE_LINE,
     ),
     page_data=_page_data,

@@ -10,11 +10,11 @@ from site_builder.document.places import Passage
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import check_answers, read_answers, report_not_coded
-from site_builder.markdown.questions.kind import FIGURE_LINE, Asked, QuestionKind
+from site_builder.markdown.questions.kind import FIGURE_LINE, QuestionBody, QuestionKind
 
 
 @dataclass(frozen=True, slots=True)
-class Task:
+class FigureTask:
     """What is to be set."""
 
     figure: str
@@ -23,18 +23,20 @@ class Task:
     """Settings that are right."""
 
 
-def read_state(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
+def read_state(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> QuestionBody:
     """What is wrong with the conditions is reported when the figure is drawn."""
-    asked = read_answers(call, body, context, coded=True)
+    answers = read_answers(call, body, context, coded=True)
     options: list[Option] = []
-    for answer in asked.read:
+    for answer in answers.read:
         if answer.code or answer.text == OTHERWISE:
             right = answer.mark == "right"
             options.append(Option(Passage(), answer.code or OTHERWISE, right, answer.reply))
         else:
             report_not_coded(answer, context)
-    check_answers(call, options, asked.count, context, otherwise=True)
-    return Asked(asked.prompt, tuple(options), Task(call.text("figure"), _solution(call, context)))
+    check_answers(call, options, answers.count, context, otherwise=True)
+    return QuestionBody(
+        answers.prompt, tuple(options), FigureTask(call.text("figure"), _solution(call, context))
+    )
 
 
 def _solution(call: DirectiveCall, context: ParseContext) -> dict[str, str]:
@@ -52,13 +54,13 @@ def conditions(question: Question) -> list[str]:
 
 
 def _catalogue(question: Question) -> Mapping[str, object]:
-    task: Task = question.details
+    task: FigureTask = question.details
     return {"figure": task.figure, "solution": dict(task.solution)}
 
 
 def _solved(question: Question, figures: Sequence[Simulation]) -> str:
     """Settings that are right, as the figure's controls are labelled."""
-    task: Task = question.details
+    task: FigureTask = question.details
     labels = {
         control.name: control.label
         for figure in figures
@@ -75,7 +77,7 @@ FIGURE = QuestionKind(
     quiz=("figure",),
     options=(
         FIGURE_LINE,
-        OptionLine("solution", doc="settings that solve it, `control=value …`"),
+        OptionLine(name="solution", doc="settings that solve it, `control=value …`"),
     ),
     page_data=lambda question: {"conditions": conditions(question)},
     catalogue=_catalogue,

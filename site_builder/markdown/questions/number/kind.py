@@ -20,7 +20,7 @@ from site_builder.markdown.questions.answers import (
     read_answers,
     report_not_coded,
 )
-from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.markdown.questions.kind import QuestionBody, QuestionKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,14 +38,14 @@ class Measure:
         return self.tolerance if option.correct else min(self.tolerance, size / 2)
 
 
-def read_number(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
+def read_number(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> QuestionBody:
     is_quiz = call.name == "quiz"
-    asked = read_answers(call, body, context, coded=True, replies=is_quiz)
-    options, tolerance = _read_options(call, asked.read, context)
+    answers = read_answers(call, body, context, coded=True, replies=is_quiz)
+    options, tolerance = _read_options(call, answers.read, context)
     least, form = (2, "- [ ] …") if is_quiz else (1, "- [x] `expression`")
-    check_answers(call, options, asked.count, context, least=least, form=form, otherwise=is_quiz)
+    check_answers(call, options, answers.count, context, least=least, form=form, otherwise=is_quiz)
     measure = Measure(call.text("unit"), tolerance)
-    return Asked(asked.prompt, options, measure, decides=tolerance if is_quiz else None)
+    return QuestionBody(answers.prompt, options, measure, decides=tolerance if is_quiz else None)
 
 
 def _read_options(
@@ -143,8 +143,8 @@ NUMBER = QuestionKind(
     quiz=("number",),
     predict=("number",),
     options=(
-        OptionLine("unit", doc="of a number"),
-        OptionLine("within", doc="how far from the right number is right, `0.5` or `2%`"),
+        OptionLine(name="unit", doc="of a number"),
+        OptionLine(name="within", doc="how far from the right number is right, `0.5` or `2%`"),
     ),
     page_data=_page_data,
     catalogue=_catalogue,

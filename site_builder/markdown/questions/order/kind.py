@@ -9,14 +9,14 @@ from site_builder.document.blocks import Option, Question, Simulation
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import check_answers, read_answers
-from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.markdown.questions.kind import QuestionBody, QuestionKind
 
 
-def read_order(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked:
-    asked = read_answers(call, body, context, kind="ordered", marked=False)
-    options = tuple(Option(each.words, each.text, True, each.reply) for each in asked.read)
-    check_answers(call, options, asked.count, context, form="1. …", right="")
-    return Asked(asked.prompt, options)
+def read_order(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> QuestionBody:
+    answers = read_answers(call, body, context, kind="ordered", marked=False)
+    options = tuple(Option(each.words, each.text, True, each.reply) for each in answers.read)
+    check_answers(call, options, answers.count, context, form="1. …", right="")
+    return QuestionBody(answers.prompt, options)
 
 
 def in_any_order(

@@ -11,7 +11,7 @@ from site_builder.markdown.calculation import number
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import read_answers
-from site_builder.markdown.questions.kind import Asked, QuestionKind
+from site_builder.markdown.questions.kind import QuestionBody, QuestionKind
 
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 384.0, 32.0, 206.0
 """The field inside the axes, in a view box of 400 by 250."""
@@ -81,12 +81,14 @@ SAMPLES = 97
 """Points of a true curve: twelve for each step between the nine places of a sketch."""
 
 
-def read_sketch(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Asked | None:
+def read_sketch(
+    call: DirectiveCall, body: Sequence[Token], context: ParseContext
+) -> QuestionBody | None:
     read_answers(call, body, context, kind="no")  # there is a question
     curve = _read_curve(call, context)
     if curve is None:
         return None
-    return Asked(tuple(body), details=curve, decides=(curve.x, curve.y))
+    return QuestionBody(tuple(body), details=curve, decides=(curve.x, curve.y))
 
 
 def _read_curve(call: DirectiveCall, context: ParseContext) -> Curve | None:
@@ -150,9 +152,9 @@ SKETCH = QuestionKind(
     read=read_sketch,
     predict=("sketch",),
     options=(
-        OptionLine("curve", doc="what is to be sketched, an expression in `x`"),
-        OptionLine("x", doc="an axis, `0 90 Angle (°)`"),
-        OptionLine("y", doc="the other axis"),
+        OptionLine(name="curve", doc="what is to be sketched, an expression in `x`"),
+        OptionLine(name="x", doc="an axis, `0 90 Angle (°)`"),
+        OptionLine(name="y", doc="the other axis"),
     ),
     page_data=_page_data,
     view=lambda question, _figures: view_sketch(question.details),
