@@ -124,16 +124,24 @@ def one_line(name: str) -> str:
     return " ".join(name.splitlines())
 
 
+def nearest(given: str, names: Iterable[str], cutoff: float = 0.6) -> str:
+    """The name that was meant; nothing where none is as like as ``cutoff``, from 0 to 1.
+    Capitals do not count."""
+    folded = {name.casefold(): name for name in names}
+    near = difflib.get_close_matches(given.casefold(), folded, n=1, cutoff=cutoff)
+    return folded[near[0]] if near else ""
+
+
 def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
     """``unknown KIND 'given'``, then the nearest legal name or, where none is near, the legal ones:
     all of them, or the first of many."""
     names = list(map(one_line, expected))
-    near = difflib.get_close_matches(given, names, n=1)
+    near = nearest(given, names)
     listed = ", ".join(names[:MOST_LISTED]) or "none"
     rest = len(names) - MOST_LISTED
     every = f"{listed} and {rest} more" if rest > 0 else listed
     return f"unknown {kind} {given!r}; " + (
-        f"did you mean {near[0]!r}?" if near else f"legal: {every}"
+        f"did you mean {near!r}?" if near else f"legal: {every}"
     )
 
 

@@ -114,9 +114,15 @@ class ParseContext:
         """The folder of the book's own files."""
         return self.shared.root / "content"
 
-    def problem(self, line: int, message: str, error: BaseException | None = None) -> None:
-        """``error``: what an author's code raised, if that is the reason."""
-        self.problems.add(self.path, line, message, error)
+    def problem(
+        self,
+        line: int,
+        message: str,
+        error: BaseException | None = None,
+        spoils: tuple[str, ...] = (),
+    ) -> None:
+        """``error`` and ``spoils`` as `Diagnostics.add` has them."""
+        self.problems.add(self.path, line, message, error, spoils)
 
     def warn_of_count(self, target: Target, line: int) -> None:
         """Warn of a reference to an id that changes when the page gets another such figure."""

@@ -27,6 +27,7 @@ from site_builder.pages.views.ladder import (
 )
 from site_builder.pages.views.question import kind_view, question_data
 from site_builder.pages.views.simulation import CONTROL_KINDS
+from site_builder.references.bibliography import full_stop
 from site_builder.render.screen import PassageRenderer, named, screen_renderer
 from site_builder.settings.model import storage_prefix
 
@@ -61,6 +62,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "marked_terms": marked_terms,
     "passage": passage_html,
     "spoken": spoken_html,
+    "full_stop": full_stop,
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """Functions of templates, for what is computed from the document."""

@@ -1,20 +1,22 @@
 """``content/references.bib``: the works that chapters cite, in BibTeX.
 
-pybtex reads the format; what an entry must say is checked here, so that every reference can be
-found by its reader.
+pybtex reads the format and `references/latex.py` its texts; what an entry must say is checked here,
+so that every reference can be found by its reader. Exports of reference managers are taken as they
+are: biblatex's names of fields and kinds are read, fields that no reference shows are ignored.
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import partial
 from string import ascii_lowercase
 from types import MappingProxyType
 from typing import Any
 
-from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, nearest, unknown
 from site_builder.files.text import Sources
 from site_builder.languages.words import ENGLISH, Words
+from site_builder.references.latex import text_of_latex, web_address
 
 FILE = "content/references.bib"
 REQUIRED: Mapping[str, tuple[str, ...]] = {
@@ -27,9 +29,26 @@ REQUIRED: Mapping[str, tuple[str, ...]] = {
     "misc": ("author", "title", "year"),
 }
 """Kinds of entry, and what each must say."""
+KINDS = {
+    "conference": "inproceedings", "inbook": "incollection", "inreference": "incollection",
+    "mastersthesis": "phdthesis", "thesis": "phdthesis", "report": "techreport",
+    "collection": "book", "proceedings": "misc", "online": "misc", "manual": "misc",
+    "dataset": "misc",
+}  # fmt: skip
+"""Kinds that are read as another one; so are all that are unknown, as ``misc``."""
+FIELDS = {"journaltitle": "journal", "date": "year", "organization": "publisher"}
+"""Fields that are read as another one, where that is missing."""
 OPTIONAL = (
     "volume", "number", "pages", "edition", "publisher", "doi", "url", "isbn", "note",
+    "howpublished",
 )  # fmt: skip
+IGNORED = (
+    "editor", "editora", "issn", "month", "annote", "subtitle", "booksubtitle", "maintitle",
+    "numpages", "origyear", "origtitle", "urlyear", "shorttitle", "titleaddon",
+)  # fmt: skip
+"""Fields that no reference shows and that resemble one that it does."""
+MISSPELT = 0.75
+"""How alike the names of two fields or kinds are, from 0 to 1, where one was meant."""
 ENTRY = re.compile(r"\s*@(\w+)\s*\{\s*([^,\s]+)\s*,")
 
 
@@ -93,6 +112,7 @@ class Work:
                     edition and self.words("references.edition", name=edition),
                     said("publisher") or said("institution"),
                     said("number"),
+                    said("howpublished"),
                     said("note"),
                 )
 
@@ -106,19 +126,24 @@ class Work:
     @property
     def address(self) -> str:
         """Where it is found; nothing where it has no address."""
-        doi = self.fields.get("doi")
+        doi = re.sub(r"https?://(dx\.)?doi\.org/", "", self.fields.get("doi", ""))
         return f"https://doi.org/{doi}" if doi else self.fields.get("url", "")
 
     @property
     def reference(self) -> str:
         """The whole reference as a line of text."""
         parts = (f"{self.everyone} ({self.year})", self.fields.get("title", ""), self.venue)
-        return f"{'. '.join(filter(None, parts))}."
+        return " ".join(part + full_stop(part) for part in parts if part)
 
 
 type Works = Mapping[str, Work]
 """All entries by key, in the order of their authors, years and titles."""
 NO_WORKS: Works = MappingProxyType({})
+
+
+def full_stop(text: str) -> str:
+    """What ends a sentence with this text: nothing behind ``Elsevier Inc.``"""
+    return "" if text.endswith((".", "?", "!", "…")) else "."
 
 
 def _listed(*parts: str | None) -> str:
@@ -136,15 +161,15 @@ def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Works:
     text, problems = sources.text(FILE), sources.problems
     try:
         entries = parse_string(text, "bibtex").entries
-        lines = _lines(text)
-        works = [_work(key, entry, lines.get(key, 1), words) for key, entry in entries.items()]
     except (PybtexError, RecursionError) as error:
         line = getattr(error, "lineno", None) or _line_of(str(error), text)
         message = f"malformed BibTeX: {error}{_advice(str(error))}"
         problems.add(FILE, line, message, spoils=("unknown work",))
         return NO_WORKS
-    for work in works:
-        _check(work, problems)
+    lines = _lines(text)
+    works = [
+        _work(key, entry, lines.get(key, 1), words, problems) for key, entry in entries.items()
+    ]
     return {work.key: work for work in _with_letters(sorted(works, key=_order))}
 
 
@@ -168,7 +193,21 @@ def _advice(message: str) -> str:
     return "; legal: names with 'and' between them" if "commas" in message else ""
 
 
-def _work(key: str, entry: Any, line: int, words: Words) -> Work:
+def _work(key: str, entry: Any, line: int, words: Words, problems: Diagnostics) -> Work:
+    """The work that an entry describes. Mistakes are reported."""
+
+    def plain(name: str, latex: str) -> str:
+        try:
+            return web_address(latex) if name in ("url", "doi") else text_of_latex(latex)
+        except ValueError as error:
+            what, _, legal = str(error).partition("; ")
+            problems.add(FILE, line, f"{what} in {name!r} of {key!r}; {legal}")
+            return latex
+
+    given = {name.lower(): value for name, value in entry.fields.items()}
+    for other, name in FIELDS.items():
+        if other in given:
+            given.setdefault(name, given[other][:4] if other == "date" else given[other])
     authors = entry.persons.get("author") or entry.persons.get("editor") or ()
     names = (
         (
@@ -177,21 +216,20 @@ def _work(key: str, entry: Any, line: int, words: Words) -> Work:
         )
         for person in authors
     )
-    return Work(
+    kind = entry.type if entry.type in REQUIRED else KINDS.get(entry.type, "misc")
+    if kind in ("phdthesis", "techreport") and "institution" in given:
+        given.setdefault("school", given["institution"])
+    shown = {*REQUIRED[kind], *OPTIONAL}
+    work = Work(
         key=key,
-        kind=entry.type,
-        authors=tuple((_plain(given), _plain(family)) for given, family in names),
-        fields={name.lower(): _plain(value) for name, value in entry.fields.items()},
+        kind=kind,
+        authors=tuple((plain("author", first), plain("author", last)) for first, last in names),
+        fields={name: plain(name, value) for name, value in given.items() if name in shown},
         line=line,
         words=words,
     )
-
-
-def _plain(latex: str) -> str:
-    """Text without braces and accents' commands; two hyphens are a range's dash."""
-    from pybtex.richtext import Text
-
-    return str(Text.from_latex(latex)).replace("--", "–").strip()
+    _check(work, entry.type, {*given, *(["author"] if authors else [])}, problems)
+    return work
 
 
 def _order(work: Work) -> tuple[str, ...]:
@@ -219,21 +257,28 @@ def _letters(place: int) -> str:
     return (_letters(round_ - 1) if round_ else "") + ascii_lowercase[last]
 
 
-def _check(work: Work, problems: Diagnostics) -> None:
-    """Report unknown kinds and fields, and missing ones."""
-    if work.kind not in REQUIRED:
-        problems.add(FILE, work.line, unknown("kind of entry", work.kind, REQUIRED))
+def _check(work: Work, kind: str, given: Set[str], problems: Diagnostics) -> None:
+    """Report missing fields, addresses that lead nowhere, and misspelt names of fields and kinds.
+    The fields ``given`` include those that no reference shows."""
+    if kind not in {*REQUIRED, *KINDS} and nearest(kind, {*REQUIRED, *KINDS}, MISSPELT):
+        problems.add(FILE, work.line, unknown("kind of entry", kind, [*REQUIRED, *KINDS]))
         return
-    given = {*work.fields, *(["author"] if work.authors else [])}
-    for name in REQUIRED[work.kind]:
-        if name not in given:
+    required = REQUIRED[work.kind]
+    known = {*required, *OPTIONAL, *(("author", "title", "year", *FIELDS))}
+    misspelt = {
+        name: near
+        for name in given - known - {*IGNORED}
+        if (near := nearest(name, known - given, MISSPELT))
+    }
+    for name in misspelt:
+        problems.add(FILE, work.line, unknown(f"field of {work.key!r}", name, known))
+    for name in required:
+        if name not in given and name not in misspelt.values():
             message = f"{work.key!r} has no {name!r}; legal: {name} = {{…}}"
             problems.add(FILE, work.line, message)
-    expected = (*REQUIRED[work.kind], *OPTIONAL)
-    for name in given - set(expected):
-        problems.add(FILE, work.line, unknown(f"field of {work.key!r}", name, expected))
-    if (doi := work.fields.get("doi")) and not re.fullmatch(r"10\.\d{4,9}/\S+", doi):
-        message = f"doi {doi!r} of {work.key!r}; legal: '10.…/…', without an address"
-        problems.add(FILE, work.line, message)
+    if (doi := work.fields.get("doi")) and not re.fullmatch(
+        r"(https?://(dx\.)?doi\.org/)?10\.\d{4,9}/\S+", doi
+    ):
+        problems.add(FILE, work.line, f"doi {doi!r} of {work.key!r}; legal: '10.…/…'")
     if (url := work.fields.get("url")) and not re.fullmatch(r"https?://[^\s\"'<>]+", url):
         problems.add(FILE, work.line, f"url {url!r} of {work.key!r}; legal: 'https://…'")

@@ -12,7 +12,7 @@ from functools import partial
 
 from markdown_it.token import Token
 
-from site_builder.diagnostics.diagnostic import unknown
+from site_builder.diagnostics.diagnostic import nearest, unknown
 from site_builder.document.places import Citation, Target
 from site_builder.formulae.temml import COLOURS as NAMES
 from site_builder.markdown.numbering import slug
@@ -33,7 +33,9 @@ def cited(
     for part in words.split(";"):
         key, _, place = (piece.strip() for piece in part.partition(","))
         if key not in works:
-            context.problem(line, unknown("work", key, works))
+            meant = nearest(key, works)
+            spoils = (f"work {meant!r} is cited nowhere" if meant else "is cited nowhere",)
+            context.problem(line, unknown("work", key, works), spoils=spoils)
             continue
         who, year, where = works[key].who, works[key].year, f", {place}" if place else ""
         tokens.append(_text("; " if tokens else ""))
