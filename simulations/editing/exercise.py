@@ -9,7 +9,7 @@ import ast
 import base64
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import KW_ONLY, asdict, dataclass, field, replace
 from importlib import import_module
 from math import isfinite
 from typing import Any
@@ -40,7 +40,7 @@ type Function = Callable[..., Any]
 type LoadLadder = Callable[[str], Ladder]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Exercise:
     """What the reader's function is judged by."""
 
@@ -72,6 +72,7 @@ class Miss:
     """``nothing``, ``kind``, ``shape``, ``nan``, ``value``, ``accepted``, or ``input``, which it
     changed."""
     call: str
+    _: KW_ONLY
     got: str = ""
     expected: str = ""
     recognised: int = -1
@@ -233,9 +234,23 @@ def _miss(
             break
     given = _given(exercise, case)
     if fault == "kind":
-        return Miss(fault, case, type(got).__name__, show(expected), recognised, given=given)
+        return Miss(
+            fault,
+            case,
+            got=type(got).__name__,
+            expected=show(expected),
+            recognised=recognised,
+            given=given,
+        )
     if fault == "shape":
-        return Miss(fault, case, _shape(got), _shape(expected), recognised, given=given)
+        return Miss(
+            fault,
+            case,
+            got=_shape(got),
+            expected=_shape(expected),
+            recognised=recognised,
+            given=given,
+        )
     pictures = tuple(_picture(each) for each in (got, expected) if fault == "value")
     if fault in ("value", "nan") and np.size(expected) > LONGEST_LISTED:
         off = np.abs(np.subtract(got, expected, dtype=float))
@@ -243,7 +258,15 @@ def _miss(
         case += f"[{', '.join(map(str, at))}]"
         got, expected = np.asarray(got)[at], np.asarray(expected)[at]
     drawn = tuple(each for each in pictures if each)
-    return Miss(fault, case, show(got), show(expected), recognised, drawn, given)
+    return Miss(
+        fault,
+        case,
+        got=show(got),
+        expected=show(expected),
+        recognised=recognised,
+        pictures=drawn,
+        given=given,
+    )
 
 
 def _given(exercise: Exercise, case: str) -> tuple[Mapping[str, str], ...]:

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import KW_ONLY, asdict, dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -39,6 +39,7 @@ class Panel:
     """Height of the view box, in overlay units."""
     raster: Raster | None = None
     """(H, W, 4) uint8 sRGB, straight alpha, C-contiguous; stretched over the view box."""
+    _: KW_ONLY
     overlay: str = ""
     """SVG markup in view box units; CSS classes only, so that themes and print work."""
     pixelated: bool = False
@@ -81,6 +82,7 @@ class Readout:
     text: str
     """The value as shown; rows of a matrix are separated by newlines, entries by spaces."""
     unit: str = ""
+    _: KW_ONLY
     role: str = ""
     """One of `ROLES`, or a colour of the book's own: the idea that the number belongs to."""
 
@@ -147,6 +149,7 @@ class Frame:
     readouts: tuple[Readout, ...]
     description: str
     """One sentence on what the picture shows, for readers who cannot see it."""
+    _: KW_ONLY
     stages: tuple[StageReport, ...] = field(default=())
     handles: tuple[Place, ...] = ()
     """Places of the handles that can be grabbed; set by the engine, not by the scene."""
@@ -181,7 +184,7 @@ def readout(
     name: str, label: str, value: float, unit: str = "", *, digits: int = 2, role: str = ""
 ) -> Readout:
     """A readout of a number with a fixed count of decimals: see `format_number`."""
-    return Readout(name, label, format_number(value, digits), unit, role)
+    return Readout(name, label, format_number(value, digits), unit, role=role)
 
 
 def matrix_readout(
@@ -189,7 +192,7 @@ def matrix_readout(
 ) -> Readout:
     """A matrix, shown in brackets."""
     text = matrix_text([[format_number(float(entry), digits) for entry in row] for row in rows])
-    return Readout(name, label, text, "", role)
+    return Readout(name, label, text, "", role=role)
 
 
 def matrix_text(rows: Sequence[Sequence[str]]) -> str:

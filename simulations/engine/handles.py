@@ -3,7 +3,7 @@
     def point_at(settings: Settings, _outputs: Outputs) -> Point:
         return (20 * settings.x, 30)
 
-    Handle("point", "plane", "Point P", ("x",), point_at, role="world")
+    Handle("point", "plane", "Point P", drives=("x",), at=point_at, role="world")
 
 ``at`` is the place of the handle at the given settings. The engine searches the one setting that
 a handle drives for the value that brings it nearest to the pointer. ``pull`` replaces the search
@@ -16,7 +16,7 @@ the tests all use these functions.
 import inspect
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import KW_ONLY, dataclass, replace
 from numbers import Real
 from typing import Any, Literal
 
@@ -41,6 +41,7 @@ class Handle[S]:
     """Name of its panel."""
     label: str
     """Its name for readers who cannot see it: ``Lamp``."""
+    _: KW_ONLY
     drives: tuple[str, ...]
     """Names of the one or two settings that a pull changes. The arrow keys right and left step the
     first; up and down step the second, or the first if there is only one. Points are moved by all

@@ -41,7 +41,7 @@ class Metric:
     higher_is_better: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Ladder:
     """The tiers of one phenomenon, and how to measure them."""
 
@@ -87,7 +87,7 @@ class Ladder:
         raise ValueError(f"ladder {self.id!r} has no tier {tier_id!r}; legal: {legal}")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class TierResult:
     """One measured tier."""
 
@@ -134,7 +134,14 @@ def measure_tier(
     import statistics  # a large module, rarely needed
 
     low, _, high = statistics.quantiles(samples, n=4, method="inclusive")
-    return TierResult(tier_id, statistics.median(samples), low, high, len(samples), errors)
+    return TierResult(
+        tier=tier_id,
+        milliseconds=statistics.median(samples),
+        low_ms=low,
+        high_ms=high,
+        repeats=len(samples),
+        errors=errors,
+    )
 
 
 def errors_of_draws(

@@ -37,8 +37,8 @@ class Scene[S]:
     ``readings`` and `parameters` by name."""
     handles: tuple[Handle[S], ...] = ()
     """The handles of the picture; of overlapping marks, the nearest is grabbed."""
-    _: KW_ONLY
     accuracy: Accuracy[S] = ONE_LEVEL
+    _: KW_ONLY
     """The levels at which it can be computed, and the error of each."""
     instrument: Instrument[S] = NO_INSTRUMENT
     """What it does with the reader's own pictures, and what it gives away."""

@@ -8,7 +8,7 @@ read are not computed.
 
 import inspect
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from functools import lru_cache
 from typing import Any
 
@@ -40,6 +40,7 @@ class Stage:
     does not set arguments that have a default."""
     after: tuple[str, ...] = ()
     """Names of earlier stages."""
+    _: KW_ONLY
     neutral: Callable[..., str] | None = None
     """Takes parameters by name. Returns why the stage would change nothing, or an empty string if
     it would change something."""

@@ -26,7 +26,7 @@ TEAL, BRICK, CEILING = (0.075, 0.20, 0.21), (0.42, 0.10, 0.055), (0.72, 0.69, 0.
 SKY_TOP, SKY_LOW = (0.30, 0.55, 0.95), (0.98, 0.95, 0.86)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Hits:
     """The points at which the rays of some pixels meet a wall."""
 
@@ -88,7 +88,8 @@ def _hits(ray: list[Floats], depth: Floats, axis: int, across: Floats, down: Flo
         slope = ray[i] / ray[axis]
         steps = (np.abs(step[i] - slope * step[axis]) for step in (across, down))
         sizes.append(np.maximum(depth * sum(steps), np.float32(1e-6)))
-    return Hits(ray[0] * depth, ray[1] * depth, ray[2] * depth, *sizes)
+    (x, y, z), (size_x, size_y, size_z) = (component * depth for component in ray), sizes
+    return Hits(x=x, y=y, z=z, size_x=size_x, size_y=size_y, size_z=size_z)
 
 
 def _floor(p: Hits) -> Floats:

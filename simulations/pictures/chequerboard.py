@@ -39,7 +39,7 @@ class Glare:
     """Light at the middle; 1 is the brightest that the picture can show."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Look:
     """Light, blur and noise of a photograph; luminances are linear, 1 is white."""
 

@@ -28,7 +28,7 @@ WOOD, IRON = np.array([[0.85, 0.55, 0.12], [0.05, 0.05, 0.055]], np.float32)
 NARROWEST = 1e-5  # least width of a mean, in spacings, to avoid division by zero
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Canvas:
     """The parts of the picture that depend on no parameter."""
 
@@ -61,7 +61,14 @@ def build_canvas() -> Canvas:
         light += cover[..., None].astype(np.float32) * (colour - light)
     still = to_rgba8(encode_srgb_table(light))
     radii = np.maximum(radius[between], HUB / 2)
-    return Canvas(between, angle[between], radii, solid, light[between], still)
+    return Canvas(
+        between=between,
+        angle_rad=angle[between],
+        radius=radii,
+        solid=solid,
+        behind=light[between],
+        still=still,
+    )
 
 
 def _inside(radius: Floats, edge: float) -> Floats:

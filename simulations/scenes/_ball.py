@@ -8,7 +8,7 @@ right.
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from functools import partial
 from typing import Any
 
@@ -60,6 +60,7 @@ class Body:
 
     shape: Shape
     x: Picture  # (w,) pixels to the right of the centre, of the columns of the square
+    _: KW_ONLY
     y: Picture  # (h,) pixels above the centre, of its rows
     normals: Picture  # (h, w, 3) unit normals in the square; z towards the camera
     inner: Mask  # (h, w) pixels that the body covers completely
@@ -205,7 +206,9 @@ def paint(body: Body, linear: Floats) -> NDArray[np.uint8]:
 
 
 def camera_panel(picture: Raster, overlay: str) -> Panel:
-    return Panel("camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay, lead=True)
+    return Panel(
+        "camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay=overlay, lead=True
+    )
 
 
 def true_cosine(body: Body, angle_deg: float) -> NDArray[np.float64]:
@@ -223,7 +226,7 @@ def rms_error(body: Body, light: ArrayLike, truth: Floats) -> Readout:
     wrong = (np.asarray(light, np.float64) - truth)[body.inner]
     label = "RMS error of the light against its formula in float64"
     error = format_magnitude(root_mean_square(wrong), 1e-9)
-    return Readout("error", label, error, "of white", "error")
+    return Readout("error", label, error, "of white", role="error")
 
 
 def on_equator(angle_rad: float) -> tuple[float, float]:
@@ -237,8 +240,8 @@ def probe_on_ball(role: str) -> Handle[Any]:
         "probe",
         "camera",
         "Probed point",
-        ("probe",),
-        lambda settings, _: on_equator(math.radians(settings.probe)),
+        drives=("probe",),
+        at=lambda settings, _: on_equator(math.radians(settings.probe)),
         role=role,
     )
 

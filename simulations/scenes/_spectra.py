@@ -68,7 +68,7 @@ LEFT, TOP, CELL = 88, 12, 24  # corner of the chart, and the width of a patch
 KNOB = 302.0  # height of the handle, which hangs below the frame of the chosen surface
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LitSurface:
     """A light and the surface that it falls on."""
 
@@ -220,8 +220,8 @@ SURFACE = Handle[LitSurface](
     "surface",
     "patches",
     "Surface",
-    ("surface",),
-    lambda settings, _: knob_of(settings.surface),
+    drives=("surface",),
+    at=lambda settings, _: knob_of(settings.surface),
     reach="press",
     role="ray",
 )

@@ -192,7 +192,7 @@ def enlarged(picture: Raster, settings: Settings) -> Panel:
     part = np.ascontiguousarray(picture[rows, settings.column : settings.column + COLUMNS])
     is_mosaic = round(settings.split * picture.shape[1]) <= settings.column + QUAD_COLUMN
     overlay = quad() if is_mosaic else ""
-    return Panel("loupe", "Under the loupe", WIDTH, HEIGHT, part, overlay, pixelated=True)
+    return Panel("loupe", "Under the loupe", WIDTH, HEIGHT, part, overlay=overlay, pixelated=True)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -213,11 +213,11 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 outputs["doubled"],
-                over,
+                overlay=over,
                 lead=True,
             ),
             enlarged(outputs["wipe"], settings),
-            Panel("error", title, WIDTH, HEIGHT, of_error, worst_pixel(*errors.worst_at)),
+            Panel("error", title, WIDTH, HEIGHT, of_error, overlay=worst_pixel(*errors.worst_at)),
         ),
         (
             readout("psnr", "Fidelity (PSNR)", errors.psnr_db, "dB", digits=1, role="error"),
@@ -240,7 +240,7 @@ def rms_codes(errors: Errors) -> Floats:
 
 def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     text = ", ".join(format_number(codes, 1) for codes in rms_codes(outputs["error"]))
-    yield Readout("error", "RMS error of red, green, blue", text, "codes of 255", "error")
+    yield Readout("error", "RMS error of red, green, blue", text, "codes of 255", role="error")
 
 
 def loupe_at(settings: Settings, _outputs: Outputs) -> Point:
@@ -267,21 +267,21 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "loupe-picture",
         "picture",
         "Loupe",
-        PLACE,
-        loupe_at,
-        loupe_pulled,
-        "press",
-        "camera",
-        ("row",),
+        drives=PLACE,
+        at=loupe_at,
+        pull=loupe_pulled,
+        reach="press",
+        role="camera",
+        reversed=("row",),
     ),
     Handle(
         "enlarged",
         "loupe",
         "Picture under the loupe",
-        PLACE,
-        enlarged_at,
-        enlarged_pulled,
-        "drag",
+        drives=PLACE,
+        at=enlarged_at,
+        pull=enlarged_pulled,
+        reach="drag",
         reversed=("column",),
     ),
 )

@@ -168,7 +168,7 @@ def picture_panel(here: Standpoint, raster: Raster) -> Panel:
         x, y = pixels[0]
         overlay += drawing.dot((x, y), "light", 6.0)
         overlay += drawing.text((x - BESIDE, y + 4.0), "lamp", "light small ground", "end")
-    return Panel("picture", "What the camera sees", wide, high, raster, overlay, lead=True)
+    return Panel("picture", "What the camera sees", wide, high, raster, overlay=overlay, lead=True)
 
 
 def world_panel(here: Standpoint, look: View) -> Panel:
@@ -314,8 +314,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         (picture_panel(here, outputs["picture"]), *drawn),
         (
             matrix_readout("R", "R", here.rotation.tolist(), role="camera"),
-            Readout("t", "t", t, "m", "ray"),
-            Readout("lamp", "Lamp p′ = R p + t", lamp, "m", "light"),
+            Readout("t", "t", t, "m", role="ray"),
+            Readout("lamp", "Lamp p′ = R p + t", lamp, "m", role="light"),
         ),
         "A room as a camera sees it, and from above, in world and in camera coordinates. The "
         f"camera at {triple(here.centre)} m, panned by {format_number(settings.pan, 0)}°, has "
@@ -358,9 +358,23 @@ SCENE = Scene(
     draw,
     (Stage("standpoint", standpoint), Stage("picture", picture, ("standpoint",))),
     handles=(
-        Handle("camera", "world", "Camera", MOVES, on_axis(0.0), camera_pulled, role="camera"),
         Handle(
-            "tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), tip_pulled, role="camera"
+            "camera",
+            "world",
+            "Camera",
+            drives=MOVES,
+            at=on_axis(0.0),
+            pull=camera_pulled,
+            role="camera",
+        ),
+        Handle(
+            "tip",
+            "world",
+            "Forward axis",
+            drives=("pan",),
+            at=on_axis(AXIS_M),
+            pull=tip_pulled,
+            role="camera",
         ),
         turning("world"),
     ),

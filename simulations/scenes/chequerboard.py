@@ -169,9 +169,9 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     )
     picture, title = picture_of(board, sheet), "The board on its sheet"
     return Frame(
-        (Panel("sheet", title, WIDTH, HEIGHT, picture, overlay, lead=True),),
+        (Panel("sheet", title, WIDTH, HEIGHT, picture, overlay=overlay, lead=True),),
         (
-            Readout("corners", "Inner corners", corners, "", "image"),
+            Readout("corners", "Inner corners", corners, "", role="image"),
             Readout("paper", "Paper", paper, f"{size} mm"),
         ),
         f"A chequerboard of {settings.across} × {settings.down} squares of {settings.side} mm "
@@ -214,9 +214,9 @@ SCENE = Scene(
             "corner",
             "sheet",
             "Last corner of the board",
-            ("across", "down"),
-            lambda settings, _: last_corner(board_of(settings), settings.series),
-            last_corner_pulled,
+            drives=("across", "down"),
+            at=lambda settings, _: last_corner(board_of(settings), settings.series),
+            pull=last_corner_pulled,
             role="image",
             reversed=("down",),
         ),

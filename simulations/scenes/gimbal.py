@@ -12,7 +12,7 @@ picture about its middle, so the lock can be seen.
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from functools import partial
 
 import numpy as np
@@ -103,6 +103,7 @@ class Ring:
     name: str
     role: str
     radius: float
+    _: KW_ONLY
     axis: Floats
     """(3,) unit vector in the world about which the angle turns."""
     zero: Floats
@@ -123,9 +124,11 @@ def rings_of(pan: float, tilt: float, roll: float) -> tuple[Ring, Ring, Ring]:
     pan_axis, tilt_axis, roll_axis = rate_axes("YXZ", angles).T
     panned = euler.to_matrix("YXZ", (pan_rad, 0.0, 0.0))
     return (
-        Ring("pan", "world", 178.0, pan_axis, np.array([0.0, 0.0, 1.0]), pan_rad),
-        Ring("tilt", "light", 144.0, tilt_axis, panned[:, 2], tilt_rad),
-        Ring("roll", "ray", 166.0, roll_axis, tilt_axis, roll_rad),
+        Ring(
+            "pan", "world", 178.0, axis=pan_axis, zero=np.array([0.0, 0.0, 1.0]), angle_rad=pan_rad
+        ),
+        Ring("tilt", "light", 144.0, axis=tilt_axis, zero=panned[:, 2], angle_rad=tilt_rad),
+        Ring("roll", "ray", 166.0, axis=roll_axis, zero=tilt_axis, angle_rad=roll_rad),
     )
 
 
@@ -305,7 +308,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel("gimbal", title, 400.0, 400.0, overlay=rings, lead=True),
-            Panel("sight", "What the camera sees", *SIGHT, outputs["sky"], outputs["sight"]),
+            Panel(
+                "sight", "What the camera sees", *SIGHT, outputs["sky"], overlay=outputs["sight"]
+            ),
         ),
         (
             matrix_readout("axes", "C, the camera’s axes as columns", C, role="camera"),
@@ -335,7 +340,9 @@ def bead_pulled(index: int, settings: Settings, place: Point) -> dict[str, float
 
 def ring_handle(index: int, name: str, role: str) -> Handle[Settings]:
     at, pull = partial(bead, index), partial(bead_pulled, index)
-    return Handle(name, "gimbal", f"{name.capitalize()} ring", (name,), at, pull, role=role)
+    return Handle(
+        name, "gimbal", f"{name.capitalize()} ring", drives=(name,), at=at, pull=pull, role=role
+    )
 
 
 SCENE = Scene(

@@ -226,9 +226,23 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     in_block = "Coefficients kept in the block"
     return Frame(
         (
-            Panel("picture", "The picture before and after", *SIZE, shown, over, lead=True),
-            Panel("codes", "The patterns the block is made of", *SIZE, patterns, numbers, True),
-            Panel("block", "The framed block, enlarged", *SIZE, close, block_grid(*place), True),
+            Panel("picture", "The picture before and after", *SIZE, shown, overlay=over, lead=True),
+            Panel(
+                "codes",
+                "The patterns the block is made of",
+                *SIZE,
+                patterns,
+                overlay=numbers,
+                pixelated=True,
+            ),
+            Panel(
+                "block",
+                "The framed block, enlarged",
+                *SIZE,
+                close,
+                overlay=block_grid(*place),
+                pixelated=True,
+            ),
         ),
         (
             readout("psnr", "Fidelity (PSNR)", psnr, "dB", digits=1, role="error"),
@@ -283,7 +297,7 @@ def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Reado
             f"Largest error of a coefficient in {compared} of {total} blocks "
             f"({changed} round otherwise)"
         )
-        yield Readout("error", label, format_magnitude(worst, 1e-15), "codes", "error")
+        yield Readout("error", label, format_magnitude(worst, 1e-15), "codes", role="error")
 
 
 def parts(planes: Floats, coded: jpeg.Coded) -> Iterator[tuple[Floats, Floats, Codes]]:
@@ -328,17 +342,25 @@ SCENE = Scene(
     (
         wipe_handle("picture", "original", WIDTH, HEIGHT),
         Handle(
-            "block", "picture", "Block", PLACE, block_at, block_pulled, "press", "image", ("row",)
+            "block",
+            "picture",
+            "Block",
+            drives=PLACE,
+            at=block_at,
+            pull=block_pulled,
+            reach="press",
+            role="image",
+            reversed=("row",),
         ),
         Handle(
             "last",
             "codes",
             "Last coefficient used",
-            ("first",),
-            last_at,
-            last_pulled,
-            "press",
-            "ray",
+            drives=("first",),
+            at=last_at,
+            pull=last_pulled,
+            reach="press",
+            role="ray",
         ),
     ),
     instrument=Instrument(photograph=(COLUMNS_PX, ROWS_PX)),

@@ -171,9 +171,9 @@ MODEL = (
     Stage("bent rays", bend, ("rays",)),
     Stage("surfaces", meet, ("bent rays",)),
     Stage("light", shade, ("surfaces",)),
-    Stage("defocus", defocus, ("light",), no_blur),
+    Stage("defocus", defocus, ("light",), neutral=no_blur),
     Stage("overlay", overlay, ("defocus",)),
-    Stage("falloff", vignette, ("overlay",), no_falloff),
+    Stage("falloff", vignette, ("overlay",), neutral=no_falloff),
     Stage("counted", count, ("falloff",)),
 )
 
@@ -307,8 +307,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     words = f"without {', '.join(missing)}" if missing else "by the complete model"
     return Frame(
         (
-            Panel("photograph", "The photograph", WIDTH, HEIGHT, photograph, names, lead=True),
-            Panel("costs", "Left out, each costs and saves", WIDTH, LIST_HEIGHT, None, overlay),
+            Panel(
+                "photograph", "The photograph", WIDTH, HEIGHT, photograph, overlay=names, lead=True
+            ),
+            Panel("costs", "Left out, each costs and saves", WIDTH, LIST_HEIGHT, overlay=overlay),
             Panel("difference", title, WIDTH, HEIGHT, difference),
         ),
         (

@@ -211,14 +211,14 @@ def draw(settings: LitSurface, outputs: Outputs) -> Frame:
     curves = spectra(light, pair, twin=settings.twin, cloth=settings.surface == "cloth")
     sent_back = _spectra.colours_under(light / light.max() * pair[0])
     colours = diagram(settings.light, seen, chosen, twin=settings.twin)
-    patches = outputs["picture"], chart(settings.twin).overlay(settings.surface)
+    patches, names = outputs["picture"], chart(settings.twin).overlay(settings.surface)
     size = WIDTH, HEIGHT
     x, y, luminance = xyz_to_xyy(seen.xyz[0, chosen]).tolist()
     return Frame(
         (
-            Panel("light", "Light × cloth", *size, sent_back, curves, lead=True),
-            Panel("patches", "What the eye sees", *size, *patches),
-            Panel("diagram", "Colours without brightness", *size, horseshoe(), colours),
+            Panel("light", "Light × cloth", *size, sent_back, overlay=curves, lead=True),
+            Panel("patches", "What the eye sees", *size, patches, overlay=names),
+            Panel("diagram", "Colours without brightness", *size, horseshoe(), overlay=colours),
         ),
         (
             readout("x", "Chromaticity x", x, digits=3, role="world"),
@@ -262,15 +262,15 @@ def white_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] |
 
 TEMPERATURE = ("temperature",)
 HANDLES: tuple[Handle[LitSurface], ...] = (
-    Handle("band", "light", "Band of the cloth", ("band",), band_mark, role="world"),
-    Handle("width", "light", "Width of the band", ("width",), width_mark, role="world"),
+    Handle("band", "light", "Band of the cloth", drives=("band",), at=band_mark, role="world"),
+    Handle("width", "light", "Width of the band", drives=("width",), at=width_mark, role="world"),
     _spectra.SURFACE,
     Handle(
         "white",
         "diagram",
         "White of the light",
-        TEMPERATURE,
-        white_mark,
+        drives=TEMPERATURE,
+        at=white_mark,
         role="light",
         reversed=TEMPERATURE,
     ),

@@ -120,19 +120,19 @@ SCENE = Scene(
     Settings,
     draw,
     handles=(
-        Handle("image", "plane", "Image of P", ("amount",), image_at, role="image"),
+        Handle("image", "plane", "Image of P", drives=("amount",), at=image_at, role="image"),
         Handle(
             "point",
             "plane",
             "Point P",
-            ("point_x", "point_y"),
-            lambda settings, _: tuple(plane.to_view(point_of(settings)).tolist()),
-            lambda _, place: dict(
+            drives=("point_x", "point_y"),
+            at=lambda settings, _: tuple(plane.to_view(point_of(settings)).tolist()),
+            pull=lambda _, place: dict(
                 zip(("point_x", "point_y"), plane.from_view(place).tolist(), strict=True)
             ),
             role="world",
         ),
-        Handle("amount", "divisor", "Line w = 0", ("amount",), line_at, role="error"),
+        Handle("amount", "divisor", "Line w = 0", drives=("amount",), at=line_at, role="error"),
     ),
     formula=apply_homography,
 )

@@ -137,8 +137,8 @@ RIM = Handle[Settings](
     "rim",
     "section",
     "Rim of the hole",
-    ("hole",),
-    lambda settings, _: (FRONT, MIDDLE - settings.hole * UNITS_PER_MM / 2.0),
+    drives=("hole",),
+    at=lambda settings, _: (FRONT, MIDDLE - settings.hole * UNITS_PER_MM / 2.0),
     role="camera",
 )
 SCENE = Scene(

@@ -227,7 +227,7 @@ def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Reado
     q = outputs["orientation"].q
     off_rad = turn_between_rad(BLENDS[tier](START, q, SHARES), bisected_arc(START, q, SHARES))
     text = format_magnitude(math.degrees(float(off_rad.max())), 1e-12)
-    yield Readout("error", "Largest error on the quaternions’ way", text, "°", "error")
+    yield Readout("error", "Largest error on the quaternions’ way", text, "°", role="error")
 
 
 @lru_cache(maxsize=4)
@@ -271,16 +271,24 @@ SCENE = Scene(
         Stage("curves", curves_of, ("paths",)),
     ),
     handles=(
-        Handle("sight", "blend", "Line of sight", ("t",), sight, sight_pulled, role="camera"),
+        Handle(
+            "sight",
+            "blend",
+            "Line of sight",
+            drives=("t",),
+            at=sight,
+            pull=sight_pulled,
+            role="camera",
+        ),
         Handle(
             "progress",
             "progress",
             "Mark on the curves",
-            ("t",),
-            mark,
-            mark_pulled,
-            "press",
-            "camera",
+            drives=("t",),
+            at=mark,
+            pull=mark_pulled,
+            reach="press",
+            role="camera",
         ),
         turning("blend"),
     ),

@@ -50,7 +50,7 @@ class Settings(LitSurface):
     sensor: str = choice("Curves of the sensor", SENSORS)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Colours:
     """The colours of twelve surfaces, and of their twins in a second row: (2, 12, 3) each."""
 
@@ -187,7 +187,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 "A photograph, step by step",
                 *size,
                 outputs["photographs"],
-                step_names(),
+                overlay=step_names(),
                 lead=True,
             ),
             Panel(
@@ -195,10 +195,10 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 "Twelve surfaces, step by step",
                 *size,
                 outputs["picture"],
-                CHART.overlay(settings.surface),
+                overlay=CHART.overlay(settings.surface),
                 pixelated=True,
             ),
-            Panel("sensor", "What the sensor takes of the light", *size, ground, areas),
+            Panel("sensor", "What the sensor takes of the light", *size, ground, overlay=areas),
         ),
         (
             readout("gain_red", "Factor for red", colours.gains[0], role="light"),
@@ -208,7 +208,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 "mean", "Mean error of the chart", errors[1:].mean(), "ΔE", digits=1, role="error"
             ),
             Readout("raw", "Raw R / G / B", raw, role="camera"),
-            Readout("codes", "sRGB", codes, "of 255", "image"),
+            Readout("codes", "sRGB", codes, "of 255", role="image"),
         ),
         f"{_spectra.lit_surface(settings)}: the sensor’s raw values are {raw}, balanced and "
         f"through the matrix they are the sRGB codes {codes}, "

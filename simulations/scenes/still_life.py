@@ -91,7 +91,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     side = "right" if settings.light_angle > 0 else "left"
     lit = f"lit from {abs(settings.light_angle):.0f}° to the {side}"
     return Frame(
-        (Panel("picture", "", WIDTH, HEIGHT, outputs["picture"], line),),
+        (Panel("picture", "", WIDTH, HEIGHT, outputs["picture"], overlay=line),),
         (),
         "Balls and boxes on a chequered floor, a test chart on the wall behind them; focused at "
         f"{format_number(focus, 1)} m with f/{settings.aperture:.1f}, {sharp}; {lit}.",
@@ -124,8 +124,16 @@ SCENE = Scene(
         Stage("picture", picture, ("defocus",)),
     ),
     (
-        Handle("aim", "picture", "Object to focus on", ("focus",), middle, aimed, "aim"),
-        Handle("focus", "picture", "Focus", ("focus",), focus_at, role="ray"),
+        Handle(
+            "aim",
+            "picture",
+            "Object to focus on",
+            drives=("focus",),
+            at=middle,
+            pull=aimed,
+            reach="aim",
+        ),
+        Handle("focus", "picture", "Focus", drives=("focus",), at=focus_at, role="ray"),
     ),
     accuracy=Accuracy(levels=columns(200, 400, COLUMNS)),
     parameters=parameters,

@@ -144,8 +144,8 @@ def point_readouts(H: Floats, point: Floats) -> tuple[Readout, ...]:
     image, valid = apply_homography(H, point)
     texts = [format_number(float(value), 1) if valid else "at infinity" for value in image]
     return (
-        Readout("x", "x′ of P′", texts[0], "", "image"),
-        Readout("y", "y′ of P′", texts[1], "", "image"),
+        Readout("x", "x′ of P′", texts[0], "", role="image"),
+        Readout("y", "y′ of P′", texts[1], "", role="image"),
         readout("w", "w at P", float(H[2] @ [*point, 1.0]), digits=3),
     )
 
@@ -165,7 +165,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     return Frame(
         (square_panel(settings, H, point), hierarchy_panel(settings.transform)),
         (
-            Readout("matrix", "H", matrix_text(entries_of(H)), "", "image"),
+            Readout("matrix", "H", matrix_text(entries_of(H)), "", role="image"),
             readout("freedoms", "Degrees of freedom", rung.freedoms, digits=0),
             readout("area", "Area, image : original", ratio, digits=3),
             *(Readout(name, label, verdict(change, unit)) for name, label, change, unit in changes),
@@ -210,32 +210,34 @@ SCENE = Scene(
             "corner",
             "plane",
             "Corner of the image",
-            ("pull_x", "pull_y"),
-            corner_at,
-            corner_pulled,
+            drives=("pull_x", "pull_y"),
+            at=corner_at,
+            pull=corner_pulled,
             role="image",
         ),
         Handle(
             "point",
             "plane",
             "Point P",
-            ("point_x", "point_y"),
-            lambda settings, _: tuple(plane.to_view((settings.point_x, settings.point_y)).tolist()),
-            lambda _, place: dict(
+            drives=("point_x", "point_y"),
+            at=lambda settings, _: tuple(
+                plane.to_view((settings.point_x, settings.point_y)).tolist()
+            ),
+            pull=lambda _, place: dict(
                 zip(("point_x", "point_y"), plane.from_view(place).tolist(), strict=True)
             ),
             role="world",
         ),
-        Handle("image", "plane", "Image of P", ("amount",), image_at, role="image"),
+        Handle("image", "plane", "Image of P", drives=("amount",), at=image_at, role="image"),
         Handle(
             "family",
             "hierarchy",
             "Family mark",
-            ("transform",),
-            lambda settings, _: grip(settings.transform),
-            family_pulled,
-            "press",
-            "image",
+            drives=("transform",),
+            at=lambda settings, _: grip(settings.transform),
+            pull=family_pulled,
+            reach="press",
+            role="image",
         ),
     ),
     formula=apply_homography,

@@ -51,7 +51,7 @@ class Patch:
     ball, the number of cells."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LightMap:
     """The maps of all surfaces, one after the other."""
 
@@ -174,12 +174,14 @@ def light_map(light_angle: float, spacing: float = FINE_M) -> LightMap:
     sizes = np.array([patch.points.shape[:2] for patch in every], np.intp)
     ends = np.cumsum(sizes.prod(axis=1))
     return LightMap(
-        shares,
-        (ends - sizes.prod(axis=1)).astype(np.float32),
-        sizes[:, 1].astype(np.float32),
-        np.ascontiguousarray(np.nextafter(sizes - 1, 0, dtype=np.float32).T),
-        np.ascontiguousarray(np.stack([patch.to_place for patch in every], -1), np.float32),
-        bounds,
+        shares=shares,
+        first=(ends - sizes.prod(axis=1)).astype(np.float32),
+        across=sizes[:, 1].astype(np.float32),
+        last=np.ascontiguousarray(np.nextafter(sizes - 1, 0, dtype=np.float32).T),
+        to_place=np.ascontiguousarray(
+            np.stack([patch.to_place for patch in every], -1), np.float32
+        ),
+        bounds=bounds,
     )
 
 

@@ -61,7 +61,7 @@ NOTHING = 255
 """The surface of samples that are left black."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Finish:
     """How the surfaces of the things look, by the number of the surface."""
 
@@ -89,7 +89,14 @@ def finish() -> Finish:
     normals = np.zeros((3, table.shape[1]), np.float32)
     normals[:, :FIRST_BALL] = FACES.normals.T
     normals[:, : len(WALLS)] *= -1
-    return Finish(table[:3], table[3], table[4], normals, table[5:8], table[8])
+    return Finish(
+        albedo=table[:3],
+        gloss=table[3],
+        shininess=table[4],
+        normals=normals,
+        centres=table[5:8],
+        radii=table[8],
+    )
 
 
 def normals_of(surface: Surfaces, points: Floats) -> Planes:
@@ -102,7 +109,7 @@ def normals_of(surface: Surfaces, points: Floats) -> Planes:
     return normals
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Samples:
     """Rays through places of a picture, and what they meet."""
 
@@ -121,12 +128,12 @@ class Samples:
 
     def at(self, numbers: Numbers) -> "Samples":
         return Samples(
-            self.camera,
-            self.x.take(numbers),
-            self.y.take(numbers),
-            self.depth.take(numbers),
-            self.width.take(numbers),
-            self.surface.take(numbers),
+            camera=self.camera,
+            x=self.x.take(numbers),
+            y=self.y.take(numbers),
+            depth=self.depth.take(numbers),
+            width=self.width.take(numbers),
+            surface=self.surface.take(numbers),
         )
 
 

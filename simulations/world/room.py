@@ -127,7 +127,9 @@ def samples_of(camera: Camera, width: int, height: int) -> tuple[Samples, Number
     depth = 1 / nearness
     width_m = depth.copy()
     width_m[width * height :] *= np.float32(0.5)
-    return Samples(camera, across, down, depth, width_m, surface), edges
+    return Samples(
+        camera=camera, x=across, y=down, depth=depth, width=width_m, surface=surface
+    ), edges
 
 
 def _edges(surface: Surfaces) -> Mask:

@@ -53,7 +53,7 @@ STRIPES_AXIS = np.array([0.42, -0.25, 0.87]) / math.hypot(0.42, -0.25, 0.87)
 INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Surface:
     """The visible side of one thing, in a window of the picture."""
 
@@ -101,9 +101,19 @@ def _thing_surface(thing: Thing, seen: WorldRays) -> Surface | None:
     normals = _mean_normals(thing.solid, seen, directions, facing)
     albedo, depth = thing_albedo(thing, facing, seen.area), thing_depth(thing) + seen.back
     openness = sky_seen(points, facing, THINGS)
-    (rows, columns), depths = window, np.full(coverage.shape, depth)
-    place = thing, rows.start, columns.start, points
-    return Surface(*place, normals, -directions, coverage, albedo, openness, depths)
+    rows, columns = window
+    return Surface(
+        thing=thing,
+        top=rows.start,
+        left=columns.start,
+        points=points,
+        normals=normals,
+        to_eye=-directions,
+        coverage=coverage,
+        albedo=albedo,
+        openness=openness,
+        depth=np.full(coverage.shape, depth),
+    )
 
 
 def _covered(margin: Floats, area: bool) -> Floats:
@@ -231,9 +241,18 @@ def _backdrop(seen: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> S
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))
     coverage = share[top:bottom] * seen.valid[top:bottom]
     albedo = (floor_albedo if plane is FLOOR_PLANE else wall_albedo)(points, seen.area)
-    depth = depth_along_axis(points) + seen.back
-    place = None, top, 0, points
-    return Surface(*place, normals, -directions, coverage, albedo, openness, depth)
+    return Surface(
+        thing=None,
+        top=top,
+        left=0,
+        points=points,
+        normals=normals,
+        to_eye=-directions,
+        coverage=coverage,
+        albedo=albedo,
+        openness=openness,
+        depth=depth_along_axis(points) + seen.back,
+    )
 
 
 def floor_albedo(points: Floats, area: bool) -> Planes:

@@ -4,7 +4,7 @@ World axes: x right, y away from the camera, z up, metres; the floor is z = 0. E
 cast and lit by itself, including its hidden parts, so that blur by a lens can reveal them later.
 """
 
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 
 import numpy as np
 
@@ -21,6 +21,7 @@ class Thing:
     solid: Sphere | Box
     albedo: Vector
     """Linear RGB reflectance."""
+    _: KW_ONLY
     second_albedo: Vector | None = None
     """Colour of the stripes, if there are any."""
     stripe_count: int = 0
@@ -61,7 +62,7 @@ WORLD_TO_CAMERA = pinhole.look_at(EYE, TARGET, (0.0, 0.0, 1.0))
 """(4, 4) pose; camera axes x right, y down, z forward."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class WorldRays:
     """The rays of all pixels, in the world."""
 
@@ -97,7 +98,12 @@ def eye(back: float = 0.0, right: float = 0.0, down: float = 0.0) -> Vector:
 def view(rays_camera: Floats, valid: Mask | None = None, back: float = 0.0) -> WorldRays:
     """``rays_camera`` (H, W, 3) with z = 1, rotated to the world and scaled to unit length."""
     legal = np.ones(rays_camera.shape[:2], bool) if valid is None else valid
-    return WorldRays(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal, eye(back), back)
+    return WorldRays(
+        directions=_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3],
+        valid=legal,
+        eye=eye(back),
+        back=back,
+    )
 
 
 def view_through(
@@ -110,7 +116,12 @@ def view_through(
     """
     right, down = at
     turned = rays_camera - np.array([right / focus, down / focus, 0.0])
-    return WorldRays(_unit(turned) @ WORLD_TO_CAMERA[:3, :3], valid, eye(back, right, down), back)
+    return WorldRays(
+        directions=_unit(turned) @ WORLD_TO_CAMERA[:3, :3],
+        valid=valid,
+        eye=eye(back, right, down),
+        back=back,
+    )
 
 
 def _unit(vectors: Floats) -> Floats:

@@ -52,7 +52,12 @@ def toy_with(changes: Any, *metric: str) -> MeasuredLadder:
 
 
 def test_fastest_round_is_recorded() -> None:
-    rounds = [TierResult("only", ms, 0.9 * ms, 1.1 * ms, 7, {}) for ms in (3.0, 2.0, 9.0)]
+    rounds = [
+        TierResult(
+            tier="only", milliseconds=ms, low_ms=0.9 * ms, high_ms=1.1 * ms, repeats=7, errors={}
+        )
+        for ms in (3.0, 2.0, 9.0)
+    ]
     found = timing(rounds)
     assert found == {"ms": 2.0, "low": 1.8, "high": 2.2, "samples": 7}
     assert set(found) == set(TIERS["rough"]["native"])

@@ -34,7 +34,7 @@ type Diagnose = Callable[..., list[str]]
 
 
 def frame(overlay: str = "", raster: Any = None, readouts: tuple[Readout, ...] = ()) -> Frame:
-    return Frame((Panel("plan", "Plan", 40, 30, raster, overlay),), readouts, "A plan.")
+    return Frame((Panel("plan", "Plan", 40, 30, raster, overlay=overlay),), readouts, "A plan.")
 
 
 def raising(*_: object) -> Frame:
@@ -120,7 +120,12 @@ def test_handle_that_would_fail_when_pulled_is_reported(
     diagnose: Diagnose, fields: dict[str, Any], says: str
 ) -> None:
     sound: Handle[Any] = Handle(
-        "h", "plan", "H", ("k1",), lambda _s, _o: (1.0, 1.0), lambda _s, _p: {"k1": 0}
+        "h",
+        "plan",
+        "H",
+        drives=("k1",),
+        at=lambda _s, _o: (1.0, 1.0),
+        pull=lambda _s, _p: {"k1": 0},
     )
     (found,) = diagnose(handles=(replace(sound, **fields),))
     assert found.startswith("content/00-first.md:5: simulation 'demo' cannot be drawn: ")

@@ -65,7 +65,7 @@ type Pairs = Iterator[tuple[list[Any], object]]
 
 def sent(*stages: StageReport) -> list[Any]:
     """The stages of a frame, as the page receives them."""
-    frame = Frame((Panel("panel", "", 400, 300),), (), "Shows.", stages)
+    frame = Frame((Panel("panel", "", 400, 300),), (), "Shows.", stages=stages)
     return list(json.loads(to_json(frame))["stages"])
 
 

@@ -71,7 +71,9 @@ def test_solution_passes_and_a_false_assertion_about_it_fails() -> None:
 
 
 def test_wrong_picture_is_reported_at_its_largest_error() -> None:
-    grey = Exercise("grey", "grey(16)", "def grey(n):\n    return np.full((n, n), 0.5)")
+    grey = Exercise(
+        name="grey", check="grey(16)", solution="def grey(n):\n    return np.full((n, n), 0.5)"
+    )
     _, miss = first_miss(grey, "def grey(n):\n    a = np.full((n, n), 0.5)\n    a[3, 4] = 1\n"
                                 "    return a")  # fmt: skip
     assert miss

@@ -149,6 +149,7 @@ TURN, UP = rotations.exponential([0.3, -0.5, 0.8]), (0.0, 0.0, 1.0)
 K = pinhole.intrinsics((800.0, 790.0), (320.0, 240.0), 0.5)
 KEYSTONE = transforms.projective([[1.1, 0.2, 30], [-0.1, 0.9, 5], [1e-3, 2e-4, 1]])
 POSE = pinhole.look_at([1.0, 2.0, -3.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0])
+COEFFICIENTS = [field.name for field in dataclasses.fields(Distortion)]
 SPECTRUM = np.linspace(0.2, 1.0, WAVELENGTHS_NM.size)
 DRIFTED = [
     *(np.diag([1.0, 1.0, 0.0]), I3 * 1.001, I3 * NAN, MIRROR, np.eye(4)),
@@ -244,7 +245,9 @@ KINDS: dict[str, Kind] = {
     "glass": some(Glass(), Glass(10.0, 1.0), Glass(1.1, INF)),
     "singlet": some(Singlet(1 / 40, -1 / 40, 10.0, 1.5), Singlet(0.02, 0.01, 3.0, 1.8)),
     "distortion": sampled(
-        lambda rng: Distortion(*rng.uniform(-0.3, 0.3, 8) * rng.integers(0, 2, 8))
+        lambda rng: Distortion(
+            **{k: rng.uniform(-0.3, 0.3) * rng.integers(0, 2) for k in COEFFICIENTS}
+        )
     ),
     "fisheye": sampled(lambda rng: Fisheye(*rng.uniform(-0.1, 0.1, 4))),
     "profile": sampled(lambda rng: RadialProfile((rng.uniform(-0.3, 0.3), 0.1), (0.05,))),
@@ -263,7 +266,18 @@ KINDS: dict[str, Kind] = {
     ),
     "lights": some([DirectionalLight(UP), PointLight((1.0, 2.0, 3.0))]),
     "material": some(Material(0.5, 0.3, 0.4), Material(1.0, 1.0, 0.01), Material(0.0, 0.0, 1.0)),
-    "sensor": some(Sensor(), Sensor(INF, 0.0, 0.0, 1e-30, 16, 0.0, 1.0)),
+    "sensor": some(
+        Sensor(),
+        Sensor(
+            full_well_e=INF,
+            read_noise_e=0.0,
+            dark_current_e_per_s=0.0,
+            gain_e_per_dn=1e-30,
+            bits=16,
+            black_level_dn=0.0,
+            quantum_efficiency=1.0,
+        ),
+    ),
     "well": some(1000.0, INF, 1e13, 0.5, no=[0.0, -1.0, NAN, 2e13]),
     "planes": picture(4, 8, 8),
     "plane": picture(8, 8),

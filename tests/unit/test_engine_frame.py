@@ -98,7 +98,7 @@ def test_frame_without_pixels_and_samples_is_json() -> None:
         (Panel("a", "A", 400, 300, raster=np.zeros((2, 3, 4), np.uint8)), Panel("b", "", 1, 1)),
         (readout("x", "x", 1.5, "px", role="ray"),),
         "Shows.",
-        (StageReport("blur", "skipped", "no blur"),),
+        stages=(StageReport("blur", "skipped", "no blur"),),
         sound=Sound(SILENCE, 8000),
     )
     data = json.loads(to_json(frame))

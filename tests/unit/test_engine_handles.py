@@ -39,7 +39,9 @@ def pull(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"across": place[0] / 100, "along": place[1] / 100}
 
 
-POINT: Handle[Settings] = Handle("point", "plane", "Point", ("across", "along"), at, pull)
+POINT: Handle[Settings] = Handle(
+    "point", "plane", "Point", drives=("across", "along"), at=at, pull=pull
+)
 GROUND = replace(POINT, reach="drag")
 NAN = float("nan")
 
@@ -85,7 +87,7 @@ def option(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def searched(drives: str, where: Any) -> Handle[Settings]:
-    return Handle("point", "plane", "Point", (drives,), where)
+    return Handle("point", "plane", "Point", drives=(drives,), at=where)
 
 
 @pytest.mark.parametrize(

@@ -25,7 +25,7 @@ GAIN = (
         "gain",
         lambda x, factor: counted("gain", [factor * item for item in x]),
         ("source",),
-        lambda factor: "the factor is one" if factor == 1 else "",
+        neutral=lambda factor: "the factor is one" if factor == 1 else "",
     ),
     Stage("sum", lambda x: counted("sum", sum(x)), ("gain",)),
 )
@@ -37,7 +37,7 @@ NOISE = (
         "lens",
         lambda rays, lens_rays: counted("lens", rays * lens_rays),
         ("rays",),
-        lambda lens_rays: "" if lens_rays else "one ray",
+        neutral=lambda lens_rays: "" if lens_rays else "one ray",
         passes_on="surfaces",
     ),
     Stage("grain", lambda: counted("grain", 0.25)),
@@ -45,7 +45,7 @@ NOISE = (
         "noise",
         lambda light, grain, sigma: counted("noise", light + sigma * grain),
         ("lens", "grain"),
-        lambda sigma: "" if sigma else "no noise",
+        neutral=lambda sigma: "" if sigma else "no noise",
     ),
 )
 """A stage whose result two others may use, and a stage that may bypass earlier ones."""
@@ -174,10 +174,10 @@ CARELESS: Any = lambda: False  # noqa: E731
         (lambda: Stage("a", lambda sise: sise), "stage 'a' reads 'sise'; legal: size, factor"),
         (lambda: Stage("b", lambda x: x, ("source",)), "stage 'b' follows 'source'; legal: first"),
         (
-            lambda: Stage("c", lambda x: x, ("first",), lambda depth: str(depth)),
+            lambda: Stage("c", lambda x: x, ("first",), neutral=lambda depth: str(depth)),
             "neutral reads 'depth'",
         ),
-        (lambda: Stage("a", lambda x: x, ("first",), CARELESS), "neutral returns False"),
+        (lambda: Stage("a", lambda x: x, ("first",), neutral=CARELESS), "neutral returns False"),
         (lambda: Stage("a", lambda x: x, ("first", "second")), "legal: as many as it has arg"),
         (lambda: Stage("a", lambda: 1, neutral=lambda: "always"), "legal: with an input"),
         (lambda: Stage("a", lambda: 1, passes_on="b"), "legal: where it can be neutral"),

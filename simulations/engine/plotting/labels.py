@@ -8,7 +8,7 @@ Costs are rounded, so that CPython and Pyodide choose alike.
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from itertools import product
 
 import numpy as np
@@ -79,6 +79,7 @@ class Label:
     point: Point
     words: str
     style: str = ""
+    _: KW_ONLY
     prefer: str = "above right"
     """The side that is tried first; a key of `SIDES`."""
     distance: float = 9.0

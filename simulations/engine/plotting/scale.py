@@ -1,7 +1,7 @@
 """The labels of an axis: its name, unit and ticks."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.ticks import Tick, number_words
@@ -16,6 +16,7 @@ class Scale:
     ticks: int | Sequence[float] | Sequence[Tick] = 5
     """The largest count of round ticks; or the ticks; or the ticks, each with its text, which may
     be empty."""
+    _: KW_ONLY
     grid: Sequence[float] = ()
     """Values with a grid line."""
     style: str = ""

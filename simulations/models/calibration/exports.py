@@ -24,7 +24,7 @@ FULL_FRAME_MM = (36.0, 24.0)
 """Crop factors compare the diagonals of sensors with this one's."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Report:
     """What is written into a file."""
 

@@ -35,7 +35,7 @@ DRAFT_STEPS = 3
 """Steps to within a standard error, mostly a hundredth, from results for more photographs."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Trial:
     """One model of the lens, fitted to all photographs."""
 
@@ -174,12 +174,12 @@ def fitted(views: Views, camera: Camera, poses: Poses, lens: str, draft: bool = 
     except np.linalg.LinAlgError:
         squares = math.inf
     return Trial(
-        lens,
-        fit,
-        uncertainty(views, fit, free),
-        rms_px(views, fit),
-        math.sqrt(squares / views.corners),
-        akaike(2 * views.corners, fit.cost, len(free) + 6 * len(views)),
+        lens=lens,
+        fit=fit,
+        uncertainty=uncertainty(views, fit, free),
+        rms_px=rms_px(views, fit),
+        left_out_px=math.sqrt(squares / views.corners),
+        aic=akaike(2 * views.corners, fit.cost, len(free) + 6 * len(views)),
     )
 
 

@@ -31,7 +31,7 @@ type Planes = tuple[Floats, Floats, Floats]
 """Luma, blue difference, red difference, in codes about 0."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Coded:
     """A picture as JPEG stores it."""
 
@@ -89,7 +89,14 @@ def encode(
     fine, coarse = tables(quality)
     blue, red = (quantise_plane(coarsen(plane, factor), coarse, transform) for plane in differences)
     codes = quantise_plane(luma, fine, transform)
-    return Coded(codes, (blue, red), luma.shape[0], luma.shape[1], quality, subsampling)
+    return Coded(
+        luma=codes,
+        differences=(blue, red),
+        height=luma.shape[0],
+        width=luma.shape[1],
+        quality=quality,
+        subsampling=subsampling,
+    )
 
 
 def restore(coded: Coded) -> Planes:

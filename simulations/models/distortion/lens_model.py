@@ -37,7 +37,7 @@ FAR = 1e45
 _profile = lru_cache(maxsize=64)(RadialProfile)  # called a hundred times a frame
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Distortion:
     """Distortion coefficients; all zero is an ideal lens."""
 

@@ -15,7 +15,7 @@ SINGULAR = 1e12
 """Condition number from which on an inverse has hardly any digits."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Parts:
     """H = affine part · projective part, the affine one as translation · rotation · stretch."""
 
@@ -101,5 +101,11 @@ def decompose(H: ArrayLike) -> Parts:
     shear = float(A[:, 0] @ A[:, 1]) / scale_x**2
     tx, ty = map(float, offset)
     return Parts(
-        tx, ty, angle_rad, scale_x, scale_y, shear, (float(vanishing[0]), float(vanishing[1]))
+        tx=tx,
+        ty=ty,
+        angle_rad=angle_rad,
+        scale_x=scale_x,
+        scale_y=scale_y,
+        shear=shear,
+        vanishing=(float(vanishing[0]), float(vanishing[1])),
     )

@@ -49,7 +49,7 @@ UNKNOWN = 1e-6
 """Information on other unknowns that counts as none."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SingleView:
     """A camera, as one picture tells it."""
 
@@ -194,7 +194,12 @@ def fit_view(
 
     starts = [
         SingleView(
-            focal, middle, _turn(points, focal, middle), diagonal, np.zeros((7, 7)), lens=lens
+            focal_px=focal,
+            centre=middle,
+            R=_turn(points, focal, middle),
+            diagonal=diagonal,
+            covariance=np.zeros((7, 7)),
+            lens=lens,
         )
         for focal in _focal_lengths(points, middle, diagonal)
     ]

@@ -63,7 +63,7 @@ KERNELS = {
 """From cheap to expensive: 1, 4, 16, 16 and 36 pixels are read for each value."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class GatherTable:
     """Where each output value comes from: computed once per map, applied to any picture."""
 
@@ -119,7 +119,15 @@ def gather_table_at(
     column, across = _axis_taps(x, width, chosen, dtype)
     row, down = _axis_taps(y, height, chosen, dtype)
     corner = row * (width + 2 * (chosen.taps // 2)) + column
-    return GatherTable(x_px.shape, source_shape, chosen, corner, across, down, inside)
+    return GatherTable(
+        shape=x_px.shape,
+        source_shape=source_shape,
+        kernel=chosen,
+        corner=corner,
+        across=across,
+        down=down,
+        inside=inside,
+    )
 
 
 @dataclass(frozen=True, slots=True)

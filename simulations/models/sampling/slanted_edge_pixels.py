@@ -23,7 +23,7 @@ NEAR = 2.0
 """The slope of the edge of a sharp picture lies within this distance."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class EdgePixels:
     """The pixels within reach of an edge, row by row."""
 
@@ -74,7 +74,14 @@ def pixels_beside(line: EdgeLine, unit: float = 1.0) -> EdgePixels:
     dark, bright = (_row_means(light, near & (side * distance > 0.5 * reach)) for side in (-1, 1))
     share = as_shares(light, dark, bright, y)
     levels = unit * float(dark.mean()), unit * float(bright.mean())
-    return EdgePixels(line, reach, distance[near], share[near], np.nonzero(near)[0], levels)
+    return EdgePixels(
+        line=line,
+        reach=reach,
+        distance=distance[near],
+        value=share[near],
+        row=np.nonzero(near)[0],
+        levels=levels,
+    )
 
 
 def _row_means(values: Floats, chosen: Mask) -> Floats:

@@ -27,7 +27,7 @@ LARGEST_WELL_E = 1e13
 3e14, although float64 represents every count up to 9e15."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Sensor:
     """One kind of pixel and its converter."""
 

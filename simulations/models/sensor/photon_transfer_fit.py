@@ -84,7 +84,7 @@ class Line:
         return self.start + self.slope * x + self.curvature * x**2
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SensorEstimate:
     """What the levels say about the sensor."""
 
@@ -193,8 +193,10 @@ def _silent(
     reason: str, fitted: Mask, noise: Line | None = None, pattern: Line | None = None
 ) -> SensorEstimate:
     unknown = Estimate.unknown(reason)
-    numbers = unknown, unknown, unknown, unknown, unknown
-    return SensorEstimate(*numbers, fitted, noise, pattern, unknown, unknown)
+    numbers = ("gain", "read_noise", "saturation", "prnu", "dsnu", "row_noise", "bend")
+    return SensorEstimate(
+        **dict.fromkeys(numbers, unknown), fitted=fitted, noise=noise, pattern=pattern
+    )
 
 
 def _too_few(levels: Sequence[Level], fitted: Mask, within: Mask) -> str:

@@ -6,7 +6,7 @@ fall off smoothly over the frame: a polynomial of second degree is taken off eac
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -29,6 +29,7 @@ class Level:
     noise_dn2: float
     """Variance of one frame in time, without that of rounding."""
     noise_error_dn2: float
+    _: KW_ONLY
     pattern_dn2: float
     """Variance from cell to cell that both frames share. Below 0 if noise hides it."""
     pattern_error_dn2: float

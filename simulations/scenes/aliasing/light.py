@@ -27,7 +27,7 @@ FIRST, POINTS = 22, 12  # the first pixel of its row that is drawn, and points o
 SPECTRUM_TO = 1.2  # cycles per pixel
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Pattern:
     """Light 0.5 + 0.5 sin(φ + π(2 f x + c x²)) along a row, x in spacings of the samples."""
 
@@ -93,9 +93,27 @@ def pattern_of(kind: str, frequency: float, phase_deg: float, rate: float = 1.0)
     columns, rows = (round(length * rate) for length in SIZE_PX)
     if kind == "stripes":
         start = round(FRAMED_AT * rate)
-        return Pattern(kind, per_sample, phase_rad, columns, rows, -start, start, rate)
+        return Pattern(
+            kind=kind,
+            frequency=per_sample,
+            phase_rad=phase_rad,
+            width=columns,
+            height=rows,
+            first=-start,
+            start=start,
+            rate=rate,
+        )
     middle, start = 0.5 * (columns - 1), columns - samples_shown(rate)
-    return Pattern(kind, per_sample, phase_rad, columns, rows, -middle, start, rate)
+    return Pattern(
+        kind=kind,
+        frequency=per_sample,
+        phase_rad=phase_rad,
+        width=columns,
+        height=rows,
+        first=-middle,
+        start=start,
+        rate=rate,
+    )
 
 
 def samples_shown(rate: float) -> int:
@@ -134,7 +152,7 @@ class OwnLight:
     """(m,) the spectrum: see `Own`."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Own:
     """A reader's picture, sampled, as the figure shows it."""
 
@@ -188,14 +206,14 @@ def sample_own(own: OwnLight | None, prefilter: str, rate: float) -> Own | None:
     columns = (across + 0.5) / FINE - 0.5 - FIRST
     inside = (columns >= 0) & (columns <= SHOWN - 1)
     return Own(
-        to_rgba8(encode_srgb(np.clip(linear, 0.0, 1.0))),
-        linear,
-        row,
-        columns[inside],
-        luminance(linear[row, inside]),
-        (before @ weights(fine, point, rate, width).T)[0],
-        (behind @ weights(fine, kernel, rate, width).T)[0],
-        own.detail,
+        raster=to_rgba8(encode_srgb(np.clip(linear, 0.0, 1.0))),
+        linear=linear,
+        row=row,
+        places=columns[inside],
+        samples=luminance(linear[row, inside]),
+        curve=(before @ weights(fine, point, rate, width).T)[0],
+        filtered=(behind @ weights(fine, kernel, rate, width).T)[0],
+        detail=own.detail,
     )
 
 

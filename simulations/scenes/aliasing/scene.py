@@ -97,7 +97,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     period = 1.0 / alias if alias > 0.005 else math.inf
     return Frame(
         (
-            Panel("picture", "The picture, pixel by pixel", *SIZE, raster, over, True, lead=True),
+            Panel(
+                "picture",
+                "The picture, pixel by pixel",
+                *SIZE,
+                raster,
+                overlay=over,
+                pixelated=True,
+                lead=True,
+            ),
             Panel("row", title, *SIZE, overlay=row),
             Panel("spectrum", "The frequency, folded at Nyquist", *SIZE, overlay=fold),
         ),
@@ -194,7 +202,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
         truth, certain = light.ideal(pattern)
         off = (pattern.picture(prefilters.prefilter(settings.prefilter)) - truth)[certain]
     text = format_magnitude(root_mean_square(off), 1e-9)
-    yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
+    yield Readout("error", "RMS off what pixels can show", text, "of range", role="error")
 
 
 def crest_at(settings: Settings, outputs: Outputs) -> Point | None:
@@ -244,21 +252,31 @@ def fold_at(settings: Settings, _outputs: Outputs) -> Point:
 F = ("frequency",)
 # The pulls save a search that would sample a picture for each frequency.
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("frequency", "spectrum", "Frequency", F, wave_at, None, "press", "world"),
-    Handle("crest", "row", "Crest of the wave", F, crest_at, crest_pulled, "mark", "world", F),
+    Handle("frequency", "spectrum", "Frequency", drives=F, at=wave_at, reach="press", role="world"),
+    Handle(
+        "crest",
+        "row",
+        "Crest of the wave",
+        drives=F,
+        at=crest_at,
+        pull=crest_pulled,
+        role="world",
+        reversed=F,
+    ),
     Handle(
         "stripes",
         "picture",
         "Stripes",
-        ("phase",),
-        stripes_at,
-        stripes_pulled,
-        "drag",
-        "",
-        ("phase",),
+        drives=("phase",),
+        at=stripes_at,
+        pull=stripes_pulled,
+        reach="drag",
+        reversed=("phase",),
     ),
-    Handle("ring", "picture", "Ring at Nyquist", F, ring_at, ring_pulled, role="camera"),
-    Handle("nyquist", "spectrum", "Limit at Nyquist", ("rate",), fold_at, role="camera"),
+    Handle(
+        "ring", "picture", "Ring at Nyquist", drives=F, at=ring_at, pull=ring_pulled, role="camera"
+    ),
+    Handle("nyquist", "spectrum", "Limit at Nyquist", drives=("rate",), at=fold_at, role="camera"),
 )
 SCENE = Scene(
     "aliasing",

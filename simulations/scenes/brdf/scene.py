@@ -209,7 +209,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     size = WIDTH, HEIGHT
     return Frame(
         (
-            Panel("camera", "The material", *size, outputs["picture"], marks, lead=True),
+            Panel("camera", "The material", *size, outputs["picture"], overlay=marks, lead=True),
             Panel("lobe", "Where the light goes", *size, overlay=around),
             Panel("energy", "How much is reflected", *size, overlay=energy),
         ),
@@ -272,23 +272,29 @@ HANDLES: tuple[Handle[Settings], ...] = (
         "material",
         "camera",
         "Material",
-        ("roughness", "specular"),
-        material_at,
-        materials.material_at,
+        drives=("roughness", "specular"),
+        at=material_at,
+        pull=materials.material_at,
         role="ray",
     ),
-    Handle("lamp", "lobe", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
-    Handle("eye", "lobe", "Camera", VIEW_ANGLE, eye_at, role="camera"),
+    Handle("lamp", "lobe", "Lamp", drives=LIGHT_ANGLE, at=lamp_at, role="light"),
+    Handle("eye", "lobe", "Camera", drives=VIEW_ANGLE, at=eye_at, role="camera"),
     Handle(  # the camera is fixed in front of the ball; the normal is turned away from it
-        "probe", "camera", "Probed point", VIEW_ANGLE, probe_at, role="world", reversed=VIEW_ANGLE
+        "probe",
+        "camera",
+        "Probed point",
+        drives=VIEW_ANGLE,
+        at=probe_at,
+        role="world",
+        reversed=VIEW_ANGLE,
     ),
     Handle(
         "incidence",
         "energy",
         "Angle of the light",
-        LIGHT_ANGLE,
-        incidence_at,
-        incidence_pulled,  # not searched: the height is the output of a slow stage
+        drives=LIGHT_ANGLE,
+        at=incidence_at,
+        pull=incidence_pulled,  # not searched: the height is the output of a slow stage
         role="light",
     ),
 )

@@ -127,7 +127,14 @@ def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
         plot.region(x=(middle - 0.5, middle + 0.5)),
         plot.frame(
             Scale(ticks=[(index + 0.5, name) for index, name in enumerate(TICKS)], style="small"),
-            Scale("RMS error", "px", round_errors, round_errors, "small", "muted small"),
+            Scale(
+                "RMS error",
+                "px",
+                round_errors,
+                grid=round_errors,
+                style="small",
+                tick_style="muted small",
+            ),
         ),
         plot.curve(x[:series], used[:series], "image"),
         plot.curve(x[:series], left_out[:series], "error bold"),

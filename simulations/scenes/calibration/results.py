@@ -59,12 +59,12 @@ def _report(outputs: Outputs) -> Report:
     trial = _determined(outputs).trial
     each = rms_of_each(outputs["trials"].views, trial.fit).tolist()
     return Report(
-        trial.fit.camera,
-        given.size,
-        {name: trial.uncertainty.errors[name] for name in PINHOLE + MODELS[trial.lens]},
-        trial.rms_px,
-        trial.fit.poses,
-        tuple(zip(given.names, each, strict=False)),
+        camera=trial.fit.camera,
+        size=given.size,
+        errors={name: trial.uncertainty.errors[name] for name in PINHOLE + MODELS[trial.lens]},
+        rms_px=trial.rms_px,
+        poses=trial.fit.poses,
+        photographs=tuple(zip(given.names, each, strict=False)),
     )
 
 

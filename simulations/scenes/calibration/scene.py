@@ -62,7 +62,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     raster, over, title = _raster(settings, outputs), _over(settings, outputs), "photograph"
     return Frame(
         (
-            Panel(title, "A photograph of the board", *picture, raster, over, lead=True),
+            Panel(title, "A photograph of the board", *picture, raster, overlay=over, lead=True),
             Panel("growth", "Focal length", *size, overlay=grown),
             Panel("detail", DETAILS[settings.detail], *size, overlay=detail),
         ),
@@ -153,7 +153,7 @@ def _readouts(
     def number(name: str, label: str, unit: str, digits: int, role: str = "") -> Readout:
         value = numbers.get(name, np.nan)
         if np.isnan(value):
-            return Readout(name, label, UNKNOWN, "", role)
+            return Readout(name, label, UNKNOWN, "", role=role)
         return readout(name, label, value, unit, digits=digits, role=role)
 
     return (
@@ -237,39 +237,39 @@ SCENE = Scene(
             "line",
             "photograph",
             "Dividing line",
-            ("share",),
-            line_at,
-            lambda _, place: {"share": place[0] / drawing.WIDTH},
+            drives=("share",),
+            at=line_at,
+            pull=lambda _, place: {"share": place[0] / drawing.WIDTH},
             role="image",
         ),
         Handle(
             "model",
             "detail",
             "Model of the lens",
-            ("lens",),
-            model_at,
-            model_pulled,
+            drives=("lens",),
+            at=model_at,
+            pull=model_pulled,
             role="error",
         ),
         Handle(
             "left-out",
             "detail",
             "Photograph left out",
-            ("without",),
-            left_out_at,
-            lambda _, place: {"without": number_at(place)},
-            "press",
-            "error",
+            drives=("without",),
+            at=left_out_at,
+            pull=lambda _, place: {"without": number_at(place)},
+            reach="press",
+            role="error",
         ),
         Handle(
             "count",
             "growth",
             "Count of photographs",
-            ("photographs",),
-            count_at,
-            lambda _, place: {"photographs": drawing.count_of(float(place[0]))},
-            "press",
-            "image",
+            drives=("photographs",),
+            at=count_at,
+            pull=lambda _, place: {"photographs": drawing.count_of(float(place[0]))},
+            reach="press",
+            role="image",
         ),
     ),
     instrument=Instrument(

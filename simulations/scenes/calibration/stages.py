@@ -241,6 +241,6 @@ STAGES = (
     Stage("map", _map, ("trials", "result")),
     Stage("each", _each, ("boards", "result")),
     Stage("codes", _codes, ("looked",)),
-    Stage("developed", _developed, ("codes", "boards", "result"), _not_developed),
+    Stage("developed", _developed, ("codes", "boards", "result"), neutral=_not_developed),
 )
 """The stages in order."""

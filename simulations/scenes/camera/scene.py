@@ -202,7 +202,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     for count, truth in enumerate(references(after_step(settings)), start=1):
         codes = format_number(rms_codes(outputs["noiseless picture"], truth), 2)
         label = f"RMS error against {count} of {rays} rays through the lens"
-        yield Readout("error", label, codes, "codes of 255", "error")
+        yield Readout("error", label, codes, "codes of 255", role="error")
 
 
 def middle(_settings: Settings, _outputs: Outputs) -> Point:
@@ -228,12 +228,25 @@ SCENE = Scene(
     draw,
     STAGES,
     (
-        Handle("aim", "photograph", "Object to focus on", ("focus",), middle, aimed, "aim"),
-        Handle("focus", "plan", "Distance in focus", ("focus",), focus_at, role="ray"),
         Handle(
-            "edge", "plan", "Edge of the field of view", ("focal_length",), edge_at, role="camera"
+            "aim",
+            "photograph",
+            "Object to focus on",
+            drives=("focus",),
+            at=middle,
+            pull=aimed,
+            reach="aim",
         ),
-        Handle("lamp", "plan", "Lamp", ("light_angle",), lamp_at, role="light"),
+        Handle("focus", "plan", "Distance in focus", drives=("focus",), at=focus_at, role="ray"),
+        Handle(
+            "edge",
+            "plan",
+            "Edge of the field of view",
+            drives=("focal_length",),
+            at=edge_at,
+            role="camera",
+        ),
+        Handle("lamp", "plan", "Lamp", drives=("light_angle",), at=lamp_at, role="light"),
     ),
     accuracy=Accuracy(levels=LEVELS, default="layers", estimate=estimate, unit="codes"),
     parameters=parameters,

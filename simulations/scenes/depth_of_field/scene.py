@@ -96,7 +96,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 def side_by_side(diagram: str, picture: Raster, marks: str) -> tuple[Panel, Panel]:
     title = "Light through the lens, not to scale"
     return (
-        Panel("picture", "What the camera sees", WIDTH, HEIGHT, picture, marks, lead=True),
+        Panel("picture", "What the camera sees", WIDTH, HEIGHT, picture, overlay=marks, lead=True),
         Panel("lens", title, WIDTH, HEIGHT, overlay=diagram),
     )
 
@@ -116,7 +116,7 @@ def readouts(sharp: stages.Sharpness | None, hyperfocal_m: float) -> tuple[Reado
     )
     return (
         *(
-            Readout(name, label, format_number(value, digits) if sharp else "none", unit, role)
+            Readout(name, label, format_number(value, digits) if sharp else "none", unit, role=role)
             for name, label, value, digits, unit, role in rows
         ),
         readout("hyperfocal", "Hyperfocal distance", hyperfocal_m, "m"),
@@ -157,7 +157,7 @@ def describe(settings: Settings, sharp: stages.Sharpness) -> str:
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of the picture against rays through the whole lens, if there is a picture."""
     if not settings.has_image:
-        yield Readout("error", "Error", "no picture", "", "error")
+        yield Readout("error", "Error", "no picture", "", role="error")
         return
     setting = (settings.focal_length, drawn_f_number(settings), settings.focus)
     yield from stages.estimates(outputs["encoded"], outputs["pinhole rays"], *setting)
@@ -196,11 +196,21 @@ def focus_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
 
 APERTURE, FOCUS = ("aperture",), ("focus",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("aim", "picture", "Object to focus on", FOCUS, middle, aimed, "aim"),
-    Handle("floor", "picture", "Plane of focus", FOCUS, floor_mark, role="ray"),
-    Handle("focus", "lens", "Point in focus", FOCUS, focus_at, role="ray", reversed=FOCUS),
     Handle(
-        "rim", "lens", "Rim of the opening", APERTURE, rim_mark, role="camera", reversed=APERTURE
+        "aim", "picture", "Object to focus on", drives=FOCUS, at=middle, pull=aimed, reach="aim"
+    ),
+    Handle("floor", "picture", "Plane of focus", drives=FOCUS, at=floor_mark, role="ray"),
+    Handle(
+        "focus", "lens", "Point in focus", drives=FOCUS, at=focus_at, role="ray", reversed=FOCUS
+    ),
+    Handle(
+        "rim",
+        "lens",
+        "Rim of the opening",
+        drives=APERTURE,
+        at=rim_mark,
+        role="camera",
+        reversed=APERTURE,
     ),
 )
 SCENE = Scene(

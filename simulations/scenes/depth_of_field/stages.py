@@ -7,7 +7,7 @@ the lens softens the picture.
 
 import math
 from collections.abc import Callable, Container, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from functools import partial
 
 import numpy as np
@@ -93,6 +93,7 @@ class Sharpness:
     aperture_mm: float  # diameter of the opening
     image_mm: float  # distance from the lens to the sensor
     near_blur_mm: float  # disc of the red ball on the sensor
+    _: KW_ONLY
     far_blur_mm: float  # disc of the wall
     near_limit_m: float  # nearest distance whose disc is at most a pixel
     far_limit_m: float  # farthest; ∞ from the hyperfocal distance on
@@ -104,8 +105,14 @@ def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:
     blur = thin_lens.circle_of_confusion_mm(focal_mm, f_number, focus_mm, ends_mm)
     near, far = thin_lens.depth_of_field(focal_mm, f_number, focus_mm, PITCH_MM)
     image_mm = float(thin_lens.thin_lens_image_distance(focal_mm, focus_mm))
-    blurs = float(blur[0]), float(blur[1])
-    return Sharpness(focal_mm / f_number, image_mm, *blurs, near / 1000, far / 1000)
+    return Sharpness(
+        aperture_mm=focal_mm / f_number,
+        image_mm=image_mm,
+        near_blur_mm=float(blur[0]),
+        far_blur_mm=float(blur[1]),
+        near_limit_m=near / 1000,
+        far_limit_m=far / 1000,
+    )
 
 
 def widest_px(focal_length: float, aperture: float, focus: float) -> float:
@@ -201,10 +208,10 @@ STAGES = (
     Stage("pinhole rays", pinhole_rays),
     Stage("surfaces", find_surfaces, ("pinhole rays",)),
     Stage("light", light_surfaces, ("surfaces",)),
-    Stage("defocus", defocus, ("light",), NO_LAYER),
+    Stage("defocus", defocus, ("light",), neutral=NO_LAYER),
     Stage("overlay", overlay_shown, ("defocus",)),
-    Stage("filter", filtered, ("overlay", "light"), NO_FILTER),
-    Stage(LENS_RAYS, rays_through_lens, ("pinhole rays",), ONE_RAY, passes_on="filter"),
+    Stage("filter", filtered, ("overlay", "light"), neutral=NO_FILTER),
+    Stage(LENS_RAYS, rays_through_lens, ("pinhole rays",), neutral=ONE_RAY, passes_on="filter"),
     Stage("encoded", shown, (LENS_RAYS,)),
     Stage("plane of focus", focus_line, ("light",)),
 )
@@ -227,4 +234,4 @@ def estimates(
         off = seen - encode(np.asarray(total / count, np.float32))[..., :3]
         codes = format_number(root_mean_square(off), 2)
         label = f"RMS error against {count} of {len(points)} rays through the lens"
-        yield Readout("error", label, codes, "codes of 255", "error")
+        yield Readout("error", label, codes, "codes of 255", role="error")

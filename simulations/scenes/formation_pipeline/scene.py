@@ -300,7 +300,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     electrons, code, entry = journey.counted_e, journey.code, entries[int(station)]
     return Frame(
         (
-            Panel("way", "The way of the light", WIDTH, HEIGHT, outputs["picture"], way, lead=True),
+            Panel(
+                "way",
+                "The way of the light",
+                WIDTH,
+                HEIGHT,
+                outputs["picture"],
+                overlay=way,
+                lead=True,
+            ),
             Panel("ledger", title, LEDGER_WIDTH, LEDGER_HEIGHT, overlay=ledger),
         ),
         (
@@ -330,9 +338,17 @@ def ledger_pulled(_settings: Settings, place: Point) -> dict[str, float]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("marker", "way", "Light", ("station",), marker, reach="press", role="ray"),
-    Handle("camera", "way", "Camera", ("distance",), lens_foot, role="camera"),
-    Handle("line", "ledger", "Mark in the list", ("station",), ledger_line, ledger_pulled, "press"),
+    Handle("marker", "way", "Light", drives=("station",), at=marker, reach="press", role="ray"),
+    Handle("camera", "way", "Camera", drives=("distance",), at=lens_foot, role="camera"),
+    Handle(
+        "line",
+        "ledger",
+        "Mark in the list",
+        drives=("station",),
+        at=ledger_line,
+        pull=ledger_pulled,
+        reach="press",
+    ),
 )
 SCENE = Scene(
     "formation-pipeline",

@@ -37,7 +37,7 @@ PIXEL = photon_counting.Sensor(
 )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Journey:
     """All numbers of the point, in the order of the chain."""
 

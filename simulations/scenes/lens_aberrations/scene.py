@@ -198,7 +198,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         (
             Panel("corner", title, *size, close, pixelated=True, lead=True),
             Panel("lens", "The light of that corner, from the side", *size, overlay=side),
-            Panel("picture", "The whole picture", *size, picture, frame),
+            Panel("picture", "The whole picture", *size, picture, overlay=frame),
         ),
         (
             readout("lateral", "Red to blue, corner", shifts[2] - shifts[0], "px", role="error"),
@@ -237,9 +237,9 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
 
 RIM, STOP = ("rim",), ("stop",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("stop", "lens", "Aperture stop", STOP, stop_mark, reversed=STOP),
-    Handle("opening", "lens", "Edge of the opening", ("aperture",), opening_mark),
-    Handle("rim", "lens", "Rim", RIM, rim_mark, role="camera", reversed=RIM),
+    Handle("stop", "lens", "Aperture stop", drives=STOP, at=stop_mark, reversed=STOP),
+    Handle("opening", "lens", "Edge of the opening", drives=("aperture",), at=opening_mark),
+    Handle("rim", "lens", "Rim", drives=RIM, at=rim_mark, role="camera", reversed=RIM),
 )
 SCENE = Scene(
     "lens-aberrations",

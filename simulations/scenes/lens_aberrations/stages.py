@@ -194,7 +194,7 @@ def encode(planes: Planes, factor: Floats) -> Raster:
 STAGES = (
     Stage("subject", padded),
     Stage("lateral", lateral, ("subject",)),
-    Stage("axial", axial, ("lateral",), all_sharp),
+    Stage("axial", axial, ("lateral",), neutral=all_sharp),
     Stage("channels", channels, ("axial",)),
     Stage("vignetting", vignetting),
     Stage("encoded", encode, ("channels", "vignetting")),
@@ -226,7 +226,9 @@ def corner_errors(
         text = format_magnitude(root_mean_square(off), 1e-3)
         label = f"RMS error of the corner against {count} of {len(wavelengths)} wavelengths"
         enough = count >= FIRST_ROUND
-        yield Readout("error", label, text if enough else "…", "codes of 255" * enough, "error")
+        yield Readout(
+            "error", label, text if enough else "…", "codes of 255" * enough, role="error"
+        )
 
 
 def reference_wavelengths() -> list[float]:

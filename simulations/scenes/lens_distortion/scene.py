@@ -97,14 +97,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     bow, shift, fold = largest_bow_px(lens), corner_shift_px(lens), fold_radius(lens)
     return Frame(
         (
-            Panel("picture", "The photograph", *size, outputs["encoded"], over, lead=True),
+            Panel("picture", "The photograph", *size, outputs["encoded"], overlay=over, lead=True),
             Panel("grid", "A straight grid and its image", *size, overlay=drawn["grid"]),
             Panel("profile", "How far from the centre", *size, overlay=drawn["profile"]),
         ),
         (
             Readout("kind", "Kind", kind),
             readout("bow", "Largest bow", bow, "px", digits=1, role="image"),
-            Readout("corner", "Corners move", "past the fold", "", "error")
+            Readout("corner", "Corners move", "past the fold", "", role="error")
             if np.isnan(shift)
             else readout("corner", "Corners move", shift, "px", digits=1, role="ray"),
             Readout("fold", "Fold radius", "none" if np.isinf(fold) else format_number(fold, 3)),
@@ -135,7 +135,9 @@ def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Reado
     wrong = inversion_error_px(lens_of(settings), tier)
     diverged = wrong > DIVERGED_PX
     text = "diverges" if diverged else format_magnitude(wrong, 1e-9)
-    yield Readout("error", "RMS error of the inversion", text, "" if diverged else "px", "error")
+    yield Readout(
+        "error", "RMS error of the inversion", text, "" if diverged else "px", role="error"
+    )
 
 
 def marked(name: str, label: str, ideal: tuple[float, float], drives: str) -> Handle[Settings]:
@@ -157,7 +159,7 @@ def marked(name: str, label: str, ideal: tuple[float, float], drives: str) -> Ha
             return {"k1": growth / square - settings.k2 * square}
         return {"k2": growth / square**2 - settings.k1 / square}
 
-    return Handle(name, "picture", label, (drives,), at, pull, role="image")
+    return Handle(name, "picture", label, drives=(drives,), at=at, pull=pull, role="image")
 
 
 def crossing_at(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -175,7 +177,9 @@ SCENE = Scene(
     handles=(
         marked("point", "Inner point", INNER, "k1"),
         marked("outer", "Outer point", OUTER, "k2"),
-        Handle("crossing", "grid", "Image of a crossing", ("k1",), crossing_at, role="image"),
+        Handle(
+            "crossing", "grid", "Image of a crossing", drives=("k1",), at=crossing_at, role="image"
+        ),
     ),
     instrument=Instrument(photograph=PHOTOGRAPH_PX),
     accuracy=Accuracy(

@@ -218,9 +218,9 @@ STAGES = (
     Stage("pinhole", _pinhole, ("scenery",)),
     Stage("undistorted", _undistorted, ("pinhole",)),
     Stage("source", gather_source, ("pinhole",)),
-    Stage("map", _map, ("radii",), _ideal_lens),
-    Stage("through-lens", _through_lens, ("undistorted", "source", "map"), _ideal_lens),
-    Stage("corrected", _corrected, ("through-lens",), _not_corrected),
+    Stage("map", _map, ("radii",), neutral=_ideal_lens),
+    Stage("through-lens", _through_lens, ("undistorted", "source", "map"), neutral=_ideal_lens),
+    Stage("corrected", _corrected, ("through-lens",), neutral=_not_corrected),
     Stage("encoded", _encoded, ("corrected",)),
 )
 """The stages in order. ``margin`` is from `needs_margin`."""

@@ -81,7 +81,7 @@ def image_panel(view: Projection, raster: Raster) -> Panel:
             image_point(view) if view.visible else no_image(view),
         )
     )
-    return Panel("image", "The picture", WIDTH, HEIGHT, raster, overlay, lead=True)
+    return Panel("image", "The picture", WIDTH, HEIGHT, raster, overlay=overlay, lead=True)
 
 
 def axes() -> str:
@@ -195,12 +195,12 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             *(
                 readout(name, label, value, "px", digits=1, role="image")
                 if view.visible
-                else Readout(name, label, missing, "", "image")
+                else Readout(name, label, missing, "", role="image")
                 for name, label, value in coordinates
             ),
             readout("off", off, view.off_px, "px", digits=1, role="error")
             if view.Z > 0.0
-            else Readout("off", off, "no image in perspective", "", "error"),
+            else Readout("off", off, "no image in perspective", "", role="error"),
         ),
         describe(view) if view.visible else describe_missing(view),
     )
@@ -277,20 +277,20 @@ SCENE = Scene(
             "point",
             "top",
             "Point",
-            ("depth", "point_x"),
-            lambda settings, _: tuple(top_view.above(settings.depth, settings.point_x).tolist()),
-            point_pulled,
+            drives=("depth", "point_x"),
+            at=lambda settings, _: tuple(top_view.above(settings.depth, settings.point_x).tolist()),
+            pull=point_pulled,
             role="world",
             reversed=("point_x",),
         ),
-        Handle("plane", "top", "Image plane", ("focal_length",), plane_at, role="image"),
+        Handle("plane", "top", "Image plane", drives=("focal_length",), at=plane_at, role="image"),
         Handle(
             "image",
             "image",
             "Image of the point",
-            ("point_x", "point_y"),
-            image_at,
-            image_pulled,
+            drives=("point_x", "point_y"),
+            at=image_at,
+            pull=image_pulled,
             role="image",
             reversed=("point_y",),
         ),

@@ -84,7 +84,7 @@ class Camera:
         return per_m / (1.0 + self.perspective * (Z / REFERENCE_DEPTH_M - 1.0))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Projection:
     """A point, the camera, and the point's image."""
 
@@ -133,7 +133,9 @@ def projection_of(X: float, Y: float, Z: float, camera: Camera) -> Projection:
     """Project the point (X, Y, Z). Depth is rounded to the millimetre, so that Z = 0 is exact."""
     Z = round(Z, 3)
     pixels, valid = camera.project(np.array([X, Y, Z]))
-    return Projection(X, Y, Z, camera, float(pixels[0]), float(pixels[1]), bool(valid))
+    return Projection(
+        X=X, Y=Y, Z=Z, camera=camera, x=float(pixels[0]), y=float(pixels[1]), visible=bool(valid)
+    )
 
 
 def room_axes(view: Projection) -> Floats:

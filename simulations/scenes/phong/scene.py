@@ -105,8 +105,8 @@ STAGES = (
     Stage("normals", _ball.lit_normals, ("body",)),
     Stage("matte", matte_light, ("normals", "body")),
     # If it is skipped, so is the sum, and its output is not used.
-    Stage("highlight", shine, ("normals", "body"), is_dull),
-    Stage("light", add, ("matte", "highlight"), is_dull),
+    Stage("highlight", shine, ("normals", "body"), neutral=is_dull),
+    Stage("light", add, ("matte", "highlight"), neutral=is_dull),
     Stage("picture", _ball.paint, ("body", "light")),
 )
 
@@ -250,18 +250,18 @@ def camera_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
 
 LIGHT_ANGLE, PROBE, SHININESS = ("light_angle",), ("probe",), ("shininess",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("highlight", "camera", "Highlight", LIGHT_ANGLE, highlight_at, role="ray"),
+    Handle("highlight", "camera", "Highlight", drives=LIGHT_ANGLE, at=highlight_at, role="ray"),
     _ball.probe_on_ball("world"),
-    Handle("lamp", "lobe", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
+    Handle("lamp", "lobe", "Lamp", drives=LIGHT_ANGLE, at=lamp_at, role="light"),
     Handle(  # the camera is fixed; the point turns with its normal
-        "camera", "lobe", "Camera", PROBE, camera_at, role="camera", reversed=PROBE
+        "camera", "lobe", "Camera", drives=PROBE, at=camera_at, role="camera", reversed=PROBE
     ),
     Handle(
         "width",
         "width",
         "Width of the highlight",
-        SHININESS,
-        half_place,
+        drives=SHININESS,
+        at=half_place,
         role="ray",
         reversed=SHININESS,
     ),

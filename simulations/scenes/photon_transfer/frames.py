@@ -49,7 +49,9 @@ FULL_WELL_E, GAIN_E_PER_DN = 15_000.0, 4.0
 BRIGHTEST_PERCENT = 110
 BRIGHTEST_E = BRIGHTEST_PERCENT / 100 * FULL_WELL_E
 PRNU, DSNU_E = 0.01, 4.0
-SAMPLED = Sensor(1800.0, read_noise_e=10.0, gain_e_per_dn=8.0, bits=8, black_level_dn=8.0)
+SAMPLED = Sensor(
+    full_well_e=1800.0, read_noise_e=10.0, gain_e_per_dn=8.0, bits=8, black_level_dn=8.0
+)
 """The sensor of the photographs to try."""
 SIMULATED = "simulated"  # name of the only plane of the simulated sensor, which sees no colour
 

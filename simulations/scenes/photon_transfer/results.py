@@ -96,13 +96,15 @@ def readouts(outputs: Outputs) -> tuple[Readout, ...]:
     unit, true = unit_of(gain, "e⁻/DN"), "Conversion gain, true"
     used = f"{int(np.count_nonzero(sensor.fitted))} of {len(sensor.fitted)}"
     return (
-        Readout("gain", "Conversion gain, measured", value, unit, "ray"),
-        Readout("gain_error", "Standard error of the gain", error, unit, "ray"),
+        Readout("gain", "Conversion gain, measured", value, unit, role="ray"),
+        Readout("gain_error", "Standard error of the gain", error, unit, role="ray"),
         readout("gain_true", true, GAIN_E_PER_DN, "e⁻/DN", digits=3)
         if frames.is_simulated
         else Readout("gain_true", true, "unknown"),
         *(
-            Readout(name, label, value_of(found[name], scale), unit_of(found[name], unit), "image")
+            Readout(
+                name, label, value_of(found[name], scale), unit_of(found[name], unit), role="image"
+            )
             for name, label, unit, scale in QUANTITIES[1:5]
         ),
         Readout("used", "Pairs fitted", used),

@@ -61,7 +61,10 @@ def transfer(
     plot = plot_of(measured, room * (noise + error), HIGHEST_DN2 if simulated else 0.0)
     end, style = 0.01 * most * measured.saturation_dn, "error bold" if reason else "ray bold"
     yield plot.region(x=(end, measured.span_dn))
-    yield plot.frame(MEANS, Scale("variance of the noise", "DN²", 4, (), "small", "muted small"))
+    yield plot.frame(
+        MEANS,
+        Scale("variance of the noise", "DN²", 4, grid=(), style="small", tick_style="muted small"),
+    )
     if estimate.noise:  # solid as far as it was fitted
         x = np.linspace(0.0, plot.x.high, 101)
         y = estimate.noise.at(x)
@@ -94,7 +97,12 @@ def pattern(measured: Measured, estimate: SensorEstimate, simulated: bool) -> It
         np.sqrt(np.maximum(each, 0.0)) for each in (variance - error, variance, variance + error)
     )
     plot = plot_of(measured, 1.1 * top, HIGHEST_DN if simulated else 0.0)
-    yield plot.frame(MEANS, Scale("pattern from cell to cell", "DN", 4, (), "small", "muted small"))
+    yield plot.frame(
+        MEANS,
+        Scale(
+            "pattern from cell to cell", "DN", 4, grid=(), style="small", tick_style="muted small"
+        ),
+    )
     if estimate.pattern is not None:
         x = np.linspace(0.0, measured.span_dn, 101)
         shared = estimate.pattern.start + estimate.pattern.slope * x**2
@@ -180,7 +188,13 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel(
-                "pair", "A pair of frames of an even wall", *size, pixels, names, True, lead=True
+                "pair",
+                "A pair of frames of an even wall",
+                *size,
+                pixels,
+                overlay=names,
+                pixelated=True,
+                lead=True,
             ),
             Panel("transfer", "Noise of each pair, against its light", *SIZE, overlay=noise),
             Panel("pattern", "What both frames share", *SIZE, overlay=shared),
@@ -221,7 +235,17 @@ SCENE = Scene(
     Settings,
     draw,
     STAGES,
-    (Handle("end", "transfer", "End of the fit", ("most",), end_at, None, "press", "camera"),),
+    (
+        Handle(
+            "end",
+            "transfer",
+            "End of the fit",
+            drives=("most",),
+            at=end_at,
+            reach="press",
+            role="camera",
+        ),
+    ),
     instrument=Instrument(
         photograph=Whole(SMALL, mosaic=True),
         read=read,

@@ -174,7 +174,7 @@ def number_or(
 ) -> Readout:
     """A number, or the word that says why there is none."""
     if word:
-        return Readout(name, label, word, "", role)
+        return Readout(name, label, word, "", role=role)
     return readout(name, label, value, unit, digits=digits, role=role)
 
 
@@ -204,9 +204,9 @@ def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Read
     true, shown = (float(outputs[name].crossing_mm[0]) for name in ("true", "marked"))
     label, off = "The marked ray crosses too far off by", abs(true - shown)
     if math.isfinite(off):
-        yield Readout("error", label, format_magnitude(off, 1e-9), "mm", "error")
+        yield Readout("error", label, format_magnitude(off, 1e-9), "mm", role="error")
     else:
-        yield Readout("error", label, "no crossing to compare", "", "error")
+        yield Readout("error", label, "no crossing to compare", "", role="error")
 
 
 def ray_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
@@ -237,21 +237,23 @@ def curve_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
 
 BACK, VERGENCE = ("back",), ("vergence",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("ray", "lens", "Marked ray", ("height",), ray_at, role="ray"),
-    Handle("front", "lens", "Front surface", ("front",), front_at, role="camera"),
-    Handle("back", "lens", "Back surface", BACK, back_at, role="camera", reversed=BACK),
-    Handle("object", "lens", "Object", VERGENCE, object_at, role="world", reversed=VERGENCE),
-    Handle("opening", "aberration", "Edge of the opening", ("opening",), opening_at),
+    Handle("ray", "lens", "Marked ray", drives=("height",), at=ray_at, role="ray"),
+    Handle("front", "lens", "Front surface", drives=("front",), at=front_at, role="camera"),
+    Handle("back", "lens", "Back surface", drives=BACK, at=back_at, role="camera", reversed=BACK),
+    Handle(
+        "object", "lens", "Object", drives=VERGENCE, at=object_at, role="world", reversed=VERGENCE
+    ),
+    Handle("opening", "aberration", "Edge of the opening", drives=("opening",), at=opening_at),
     Handle(
         "curve",
         "aberration",
         "Marked ray",
-        ("height",),
-        curve_at,
+        drives=("height",),
+        at=curve_at,
         # Not searched: at each height the ray would be traced anew.
-        lambda _, place: {"height": drawing.HEIGHTS.value(float(place[1]))},
-        "press",
-        "ray",
+        pull=lambda _, place: {"height": drawing.HEIGHTS.value(float(place[1]))},
+        reach="press",
+        role="ray",
     ),
 )
 SCENE = Scene(

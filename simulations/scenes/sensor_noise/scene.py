@@ -110,10 +110,18 @@ def transfer_plot(
     plot = curve.plot
     means, variances = (log_ticks(axis.low, axis.high, 3) for axis in (plot.x, plot.y))
     grids = ([value for value, _ in ticks] for ticks in (means, variances))
-    across = Scale("mean", "DN", means, next(grids), "", "muted small", centred=True)
+    across = Scale("mean", "DN", means, grid=next(grids), tick_style="muted small", centred=True)
     parts = [
         plot.frame(
-            across, Scale("variance", "DN²", variances, next(grids), "image", "muted small")
+            across,
+            Scale(
+                "variance",
+                "DN²",
+                variances,
+                grid=next(grids),
+                style="image",
+                tick_style="muted small",
+            ),
         ),
         *theory(plot, curve),
     ]
@@ -165,14 +173,28 @@ def names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) -> 
     )
     of_shot, style = "shot noise: mean / g", "light small ground"
     labels = [
-        Label(plot.clamped(high, floor), "floor", "error small ground", "below left", 6.0),
+        Label(
+            plot.clamped(high, floor),
+            "floor",
+            "error small ground",
+            prefer="below left",
+            distance=6.0,
+        ),
         Label(plot.clamped(low, floor), "floor + shot noise", "ray small ground", distance=8.0),
-        Label(plot.clamped(full, plot.y.high), "full", "muted small ground", "below left", 5.0),
-        Label(middle, of_shot, style, "below right", others=lower),
+        Label(
+            plot.clamped(full, plot.y.high),
+            "full",
+            "muted small ground",
+            prefer="below left",
+            distance=5.0,
+        ),
+        Label(middle, of_shot, style, prefer="below right", others=lower),
     ]
     if crosses:
         highest = min(crosses, key=lambda place: place[1])
-        labels.append(Label(highest, "one frame", "error small ground", "left", distance=8.0))
+        labels.append(
+            Label(highest, "one frame", "error small ground", prefer="left", distance=8.0)
+        )
     seen: list[Sequence[Point]] = [
         *plot.pieces(means, np.maximum(shot + floor, LOWEST_DN2)),
         *plot.pieces(means, shot),
@@ -212,8 +234,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     found = value_with_error(gain.e_per_dn, gain.error_e_per_dn) if gain else "not measurable"
     return Frame(
         (
-            Panel("room", shown[0], *SIZE, shown[1], "", True, lead=True),
-            Panel("wedge", title, *SIZE, outputs["picture"], frame, True),
+            Panel("room", shown[0], *SIZE, shown[1], pixelated=True, lead=True),
+            Panel("wedge", title, *SIZE, outputs["picture"], overlay=frame, pixelated=True),
             Panel("transfer", "Noise of every patch, against its light", *SIZE, overlay=plot),
         ),
         (
@@ -226,7 +248,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 "clipped" if transfer.clipped[patch] else theory,
                 role="ray",
             ),
-            Readout("gain", "Measured gain", found, "e⁻/DN", "image"),
+            Readout("gain", "Measured gain", found, "e⁻/DN", role="image"),
             readout("truth", "True gain", true_gain, "e⁻/DN", digits=3, role="light"),
             readout("range", "Dynamic range", span, "stops", digits=1),
         ),
@@ -314,9 +336,24 @@ SCENE = Scene(
     STAGES,
     (
         Handle(
-            "level", "transfer", "Light", ("exposure",), level_at, level_pulled, "press", "image"
+            "level",
+            "transfer",
+            "Light",
+            drives=("exposure",),
+            at=level_at,
+            pull=level_pulled,
+            reach="press",
+            role="image",
         ),
-        Handle("patch", "wedge", "Patch to look at", ("patch",), middle, patch_pulled, "aim"),
+        Handle(
+            "patch",
+            "wedge",
+            "Patch to look at",
+            drives=("patch",),
+            at=middle,
+            pull=patch_pulled,
+            reach="aim",
+        ),
     ),
     instrument=Instrument(photograph=PHOTOGRAPH_PX),
     accuracy=Accuracy(

@@ -54,7 +54,7 @@ class Settings:
     new_noise: int = action(*("Take another photo",) * 8)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Transfer:
     """The photon-transfer curve of two frames, without black level and mean dark signal."""
 
@@ -176,7 +176,14 @@ def measure(codes: Codes, bits: int, iso: str, read_noise: float, dark: float) -
         gain = estimate_gain(mean[~clipped], variance[~clipped], PATCH_PX**2)
     except ValueError:  # other noise or rounding hides the rise of the variance with the light
         gain = None
-    return Transfer(mean, variance, one_frame, fitted, clipped, gain)
+    return Transfer(
+        mean_dn=mean,
+        variance_dn=variance,
+        one_frame_dn2=one_frame,
+        fitted=fitted,
+        clipped=clipped,
+        gain=gain,
+    )
 
 
 def picture(codes: Codes, bits: int) -> Raster:
@@ -260,4 +267,4 @@ def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readou
             f"Largest gap to Poisson’s cumulative, {exposures} of {EXPOSURES} exposures "
             f"(chance: {format_number(chance, 3)})"
         )
-        yield Readout("error", label, format_number(gap, 3), "probability", "error")
+        yield Readout("error", label, format_number(gap, 3), "probability", role="error")

@@ -133,7 +133,7 @@ def over_picture(settings: Settings, lines: Lines, found: Found, lengths: Length
             words = f"{format_number(pair[0])} m, known" if is_known else with_error(pair, "m")
             middle, *others = (field.place(ends[0] + s * (ends[1] - ends[0])) for s in ALONG)
             style = "image small ground"
-            labels.append(Label(middle, words, style, "below", others=others, scale=LETTERS))
+            labels.append(Label(middle, words, style, prefer="below", others=others, scale=LETTERS))
     labels.sort(key=lambda label: label.words.endswith("known"))  # it may stand farther off
     handles = [field.place(end) for end in lines.ends[chosen].reshape(-1, 2)]
     taken = [Rectangle(x - HANDLE, y - HANDLE, x + HANDLE, y + HANDLE) for x, y in handles]

@@ -213,16 +213,20 @@ def readouts(outputs: Outputs) -> tuple[Readout, ...]:
     error = (format_number(100.0 * found.focal_error, 2), "%") if knows else ("unknown", "")
     distance = _split(lengths.distance, "m") if known else (NONE, "")
     return (
-        Readout("focal", "Focal length", *focal, "camera"),
-        Readout("length", "Length on the plane", *floor, "image"),
-        Readout("height", "Height above the plane", *height, "image"),
-        Readout("focal_error", "Standard error of f", *error, "camera"),
-        Readout("pitch", "Looks down (pitch)", *pitch, "camera"),
-        Readout("roll", "Leans right (roll)", *roll, "camera"),
-        Readout("distance", "Camera above the plane", *distance, "camera"),
-        Readout("scatter", "Scatter of the ends", *scatter, ""),
-        Readout("centre_at", "Principal point", *centre, "camera"),
-        Readout("lens", "Lens", bend_in_words(view, outputs["lens"]), "", "camera"),
+        Readout("focal", "Focal length", *focal, role="camera"),
+        Readout("length", "Length on the plane", *floor, role="image"),
+        Readout("height", "Height above the plane", *height, role="image"),
+        Readout("focal_error", "Standard error of f", *error, role="camera"),
+        Readout("pitch", "Looks down (pitch)", *pitch, role="camera"),
+        Readout("roll", "Leans right (roll)", *roll, role="camera"),
+        Readout("distance", "Camera above the plane", *distance, role="camera"),
+        Readout(
+            "scatter",
+            "Scatter of the ends",
+            *scatter,
+        ),
+        Readout("centre_at", "Principal point", *centre, role="camera"),
+        Readout("lens", "Lens", bend_in_words(view, outputs["lens"]), "", role="camera"),
     )
 
 
@@ -274,7 +278,7 @@ def sheet(_settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         return math.degrees(field_of_view_rad(view.focal_px, lines.size[0]))
 
     text = value_with_error(angle_deg(found.view), float(found.view.spread(angle_deg)))
-    return (*named, Readout("field_of_view", "Horizontal field of view", text, "°", "camera"))
+    return (*named, Readout("field_of_view", "Horizontal field of view", text, "°", role="camera"))
 
 
 def _by_the_file(lines: Lines, photograph: Photograph | None) -> tuple[Readout, ...]:
@@ -284,4 +288,4 @@ def _by_the_file(lines: Lines, photograph: Photograph | None) -> tuple[Readout, 
         return ()
     pixels = float(stated) / math.hypot(36.0, 24.0) * math.hypot(*lines.size)
     label = "Focal length by the file"
-    return (Readout("focal_by_file", label, format_number(pixels, 0), "px", "camera"),)
+    return (Readout("focal_by_file", label, format_number(pixels, 0), "px", role="camera"),)

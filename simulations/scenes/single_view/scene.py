@@ -123,9 +123,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     title, loupe_title = "Lines over the picture", "Around the end moved last"
     return Frame(
         (
-            Panel("picture", title, *size, outputs["boxed"], over, lead=True),
-            Panel("field", "Where they meet", *size, outputs["wide"], around),
-            Panel("loupe", loupe_title, *size, outputs["loupe"], near, pixelated=True),
+            Panel("picture", title, *size, outputs["boxed"], overlay=over, lead=True),
+            Panel("field", "Where they meet", *size, outputs["wide"], overlay=around),
+            Panel("loupe", loupe_title, *size, outputs["loupe"], overlay=near, pixelated=True),
         ),
         numbers,
         f"A picture with {drawn}. {result}",
@@ -208,15 +208,31 @@ SCENE = Scene(
                 f"end-{end}",
                 "picture",
                 f"{'Other' if end % 2 else 'First'} end of line {end // 2 + 1}",
-                ("lines",),
-                partial(end_at, end),
-                partial(end_pulled, end),
+                drives=("lines",),
+                at=partial(end_at, end),
+                pull=partial(end_pulled, end),
                 step=lambda _, outputs: whole(outputs["lines"].size).scale,  # a pixel
             )
             for end in range(2 * MOST)
         ),
-        Handle("add", "picture", "New line", ("lines",), lambda *_: None, added, reach="aim"),
-        Handle("clear", "loupe", "All lines", ("lines",), lambda *_: None, cleared, reach="aim"),
+        Handle(
+            "add",
+            "picture",
+            "New line",
+            drives=("lines",),
+            at=lambda *_: None,
+            pull=added,
+            reach="aim",
+        ),
+        Handle(
+            "clear",
+            "loupe",
+            "All lines",
+            drives=("lines",),
+            at=lambda *_: None,
+            pull=cleared,
+            reach="aim",
+        ),
     ),
     instrument=Instrument(
         photograph=Whole(24),

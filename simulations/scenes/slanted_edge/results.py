@@ -48,7 +48,7 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         ("slant", "Slant found", slant, "°", 2, ""),
     )
     *numbers, angle = (
-        Readout(name, label, "unknown" if name == "true" else NOT_MEASURABLE, "", role)
+        Readout(name, label, "unknown" if name == "true" else NOT_MEASURABLE, "", role=role)
         if np.isnan(value)
         else readout(name, label, value, unit, digits=digits, role=role)
         for name, label, value, unit, digits, role in found
@@ -68,7 +68,7 @@ def halos(measured: Sharpness) -> Readout:
         return Readout("overshoot", "Overshoot", NOT_MEASURABLE)
     size = format_number(100.0 * measured.reading.overshoot, 1)
     if measured.sharpened:
-        return Readout("overshoot", "Overshoot", f"{size} %, sharpened", "", "error")
+        return Readout("overshoot", "Overshoot", f"{size} %, sharpened", "", role="error")
     return Readout("overshoot", "Overshoot", size, "%")
 
 

@@ -129,8 +129,23 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     waves, title = waves_left(sharpness, outputs["true"]), "What is left of a wave’s contrast: MTF"
     return Frame(
         (
-            Panel("picture", "The picture of an edge", *SIZE, picture, over, True, True),
-            Panel("crop", "A cat’s eye, before and after", *SIZE, outputs["crop"], over_crop, True),
+            Panel(
+                "picture",
+                "The picture of an edge",
+                *SIZE,
+                picture,
+                overlay=over,
+                pixelated=True,
+                lead=True,
+            ),
+            Panel(
+                "crop",
+                "A cat’s eye, before and after",
+                *SIZE,
+                outputs["crop"],
+                overlay=over_crop,
+                pixelated=True,
+            ),
             Panel("line", "Light across the edge, and its slope", *SIZE, overlay=across + product),
             Panel("waves", title, *SIZE, overlay="".join(waves)),
         ),
@@ -242,15 +257,44 @@ SCENE = Scene(
     draw,
     STAGES,
     (
-        Handle("end", "picture", "Edge", ("angle",), end_at, end_pulled, role="world"),
-        Handle("corner", "picture", "Corner", CORNER, corner_at, corner_pulled, role="image"),
         Handle(
-            "rectangle", "picture", "Rectangle", MIDDLE, middle_at, middle_pulled, "press", "image"
+            "end", "picture", "Edge", drives=("angle",), at=end_at, pull=end_pulled, role="world"
         ),
-        Handle("spot", "line", "Lens’s spot", ("aperture",), spot_at, spot_pulled, role="light"),
-        Handle("wave", "waves", "Wave", ("wave",), wave_at, wave_pulled, role="image"),
-        Handle("keep", "line", "This place", ("kept",), nowhere, keep, "aim"),
-        Handle("forget", "waves", "All places", ("kept",), nowhere, forget, "aim"),
+        Handle(
+            "corner",
+            "picture",
+            "Corner",
+            drives=CORNER,
+            at=corner_at,
+            pull=corner_pulled,
+            role="image",
+        ),
+        Handle(
+            "rectangle",
+            "picture",
+            "Rectangle",
+            drives=MIDDLE,
+            at=middle_at,
+            pull=middle_pulled,
+            reach="press",
+            role="image",
+        ),
+        Handle(
+            "spot",
+            "line",
+            "Lens’s spot",
+            drives=("aperture",),
+            at=spot_at,
+            pull=spot_pulled,
+            role="light",
+        ),
+        Handle(
+            "wave", "waves", "Wave", drives=("wave",), at=wave_at, pull=wave_pulled, role="image"
+        ),
+        Handle("keep", "line", "This place", drives=("kept",), at=nowhere, pull=keep, reach="aim"),
+        Handle(
+            "forget", "waves", "All places", drives=("kept",), at=nowhere, pull=forget, reach="aim"
+        ),
     ),
     instrument=Instrument(
         photograph=Whole(MOST_MEGAPIXELS),

@@ -138,8 +138,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         )
     )
     return Frame(
-        (first, second, Panel("plot", "Relative error", WIDTH, 316.0, None, plot)),
-        (Readout("digits", "Right digits, as written", right_digits(both[0]), "", "error"),),
+        (first, second, Panel("plot", "Relative error", WIDTH, 316.0, overlay=plot)),
+        (Readout("digits", "Right digits, as written", right_digits(both[0]), "", role="error"),),
         describe(settings, *both),
     )
 
@@ -164,6 +164,17 @@ SCENE = Scene(
     Settings,
     draw,
     (Stage("errors", errors_of), Stage("pictures", pictures)),
-    (Handle("place", "plot", "Mark on the curve", ("power",), mark_at, pulled, "press", "world"),),
+    (
+        Handle(
+            "place",
+            "plot",
+            "Mark on the curve",
+            drives=("power",),
+            at=mark_at,
+            pull=pulled,
+            reach="press",
+            role="world",
+        ),
+    ),
     accuracy=Accuracy(levels=columns(COLUMNS // 2, COLUMNS)),
 )

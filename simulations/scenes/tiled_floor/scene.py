@@ -138,8 +138,16 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     photograph, wide = outputs["picture"], outputs["wider"]
     return Frame(
         (
-            Panel("picture", "What the camera sees", WIDTH, HEIGHT, photograph, over, lead=True),
-            Panel("plane", "The whole image plane", WIDTH, HEIGHT, wide, around),
+            Panel(
+                "picture",
+                "What the camera sees",
+                WIDTH,
+                HEIGHT,
+                photograph,
+                overlay=over,
+                lead=True,
+            ),
+            Panel("plane", "The whole image plane", WIDTH, HEIGHT, wide, overlay=around),
         ),
         readouts(view, box),
         describe(settings, view),
@@ -154,11 +162,11 @@ def readouts(view: Camera, box: Box) -> tuple[Readout, ...]:
     return (
         readout("horizon", "Horizon in row", horizon_row(view), "px", digits=1, role="camera"),
         *(
-            Readout(*name, pixel_words(pixel, finite), "px" if finite else "", "image")
+            Readout(*name, pixel_words(pixel, finite), "px" if finite else "", role="image")
             for name, pixel, finite in zip(names, *view.vanishing, strict=True)
         ),
         readout("angle", "Angle of K⁻¹v₁, K⁻¹v₂", angle, "°", digits=1, role="ray"),
-        Readout("box", label, "behind", "", "world")
+        Readout("box", label, "behind", "", role="world")
         if measured is None
         else readout("box", label, measured, "m", role="world"),
         readout("view", "Field of view", field_of_view_deg(view), "°", digits=1, role="camera"),
@@ -268,9 +276,9 @@ def vanishing_handle(name: str, panel: str, index: int, window: Window) -> Handl
         name,
         panel,
         f"Vanishing point {'v₁v₂'[2 * index : 2 * index + 2]}",
-        ("yaw",),
-        vanishing(index, window),
-        turned(index, window),
+        drives=("yaw",),
+        at=vanishing(index, window),
+        pull=turned(index, window),
         role="image",
         reversed=("yaw",),
     )
@@ -293,9 +301,25 @@ SCENE = Scene(
         Stage("wider", wider, ("picture",)),
     ),
     handles=(
-        Handle("level", "picture", "Horizon", ("pitch",), level, level_pulled, role="camera"),
-        Handle("box", "picture", "Box", ("box_x", "box_y"), foot, foot_pulled, role="world"),
-        Handle("top", "picture", "Top of the box", ("box_height",), top, role="world"),
+        Handle(
+            "level",
+            "picture",
+            "Horizon",
+            drives=("pitch",),
+            at=level,
+            pull=level_pulled,
+            role="camera",
+        ),
+        Handle(
+            "box",
+            "picture",
+            "Box",
+            drives=("box_x", "box_y"),
+            at=foot,
+            pull=foot_pulled,
+            role="world",
+        ),
+        Handle("top", "picture", "Top of the box", drives=("box_height",), at=top, role="world"),
         vanishing_handle("first", "picture", 0, PICTURE),
         vanishing_handle("first-wide", "plane", 0, PLANE),
         vanishing_handle("second-wide", "plane", 1, PLANE),
@@ -303,9 +327,9 @@ SCENE = Scene(
             "principal",
             "plane",
             "Principal point",
-            ("principal_x", "principal_y"),
-            lambda settings, _: PLANE.place(camera_of(settings).K[:2, 2]),
-            principal_pulled,
+            drives=("principal_x", "principal_y"),
+            at=lambda settings, _: PLANE.place(camera_of(settings).K[:2, 2]),
+            pull=principal_pulled,
             role="camera",
             reversed=("principal_y",),
         ),

@@ -136,15 +136,18 @@ def names(view: LampView, look: View) -> str:
     ]
     lamp, axis, other, origin, range_ = spots
     labels = [
-        Label(lamp, "lamp", "world small ground", "above", 14.0),
-        Label(axis, "turn", "camera small ground", "below", 14.0),
-        Label(origin, "left", "camera small ground", "left", 12.0),
-        Label(other, "right", "camera small ground", "right", 12.0),
+        Label(lamp, "lamp", "world small ground", prefer="above", distance=14.0),
+        Label(axis, "turn", "camera small ground", prefer="below", distance=14.0),
+        Label(origin, "left", "camera small ground", prefer="left", distance=12.0),
+        Label(other, "right", "camera small ground", prefer="right", distance=12.0),
     ]
     if view.nearest < view.farthest:
-        labels.append(Label(range_, "depths that fit", "error small ground", "below", 14.0))
+        labels.append(
+            Label(range_, "depths that fit", "error small ground", prefer="below", distance=14.0)
+        )
     labels += [
-        Label(look.at(0.0, FLOOR_M, Z), f"{Z:.0f} m", "muted small", "below", 6.0) for Z in TICKS_M
+        Label(look.at(0.0, FLOOR_M, Z), f"{Z:.0f} m", "muted small", prefer="below", distance=6.0)
+        for Z in TICKS_M
     ]
     rays = [(origin, lamp), (other, lamp), (other, axis)]
     curves: list[list[drawing.Point]] = [list(ends) for ends in rays]

@@ -85,7 +85,7 @@ class Pair:
         return float(depth) if valid else math.inf
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class LampView:
     """The lamp in both pictures."""
 
@@ -124,7 +124,16 @@ def lamp_view(pair: Pair, depth: float, left: Floats, error_px: float) -> LampVi
     towards_near *= math.copysign(1.0, float(towards_near @ (right - pair.vanishing(left))))
     matches = np.array([right + error_px * towards_near, right - error_px * towards_near])
     near, far = (pair.depth(left, match) for match in matches)
-    return LampView(pair, depth, left, right, line, near, far, matches)
+    return LampView(
+        pair=pair,
+        depth=depth,
+        left=left,
+        right=right,
+        line=line,
+        nearest=near,
+        farthest=far,
+        matches=matches,
+    )
 
 
 def in_picture(pixel: Floats) -> bool:
@@ -157,7 +166,7 @@ def by_turns_panel(view: LampView, photo: Raster, right: bool) -> Panel:
     """One photograph in the place of the other."""
     pixel = view.right if right else view.left
     title = f"What the {'right' if right else 'left'} camera sees"
-    return Panel("turns", title, WIDTH, HEIGHT, photo, _lamp(view, pixel, right), lead=True)
+    return Panel("turns", title, WIDTH, HEIGHT, photo, overlay=_lamp(view, pixel, right), lead=True)
 
 
 def right_panel(view: LampView, photo: Raster) -> Panel:
@@ -172,7 +181,9 @@ def right_panel(view: LampView, photo: Raster) -> Panel:
         _disparity(view),
         _lamp(view, view.right, right=True),
     ]
-    return Panel("right", "Where the right camera sees it", WIDTH, HEIGHT, photo, "".join(parts))
+    return Panel(
+        "right", "Where the right camera sees it", WIDTH, HEIGHT, photo, overlay="".join(parts)
+    )
 
 
 def _lamp(view: LampView, pixel: Floats, right: bool) -> str:

@@ -115,7 +115,9 @@ def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readou
         off = (shown[some] - truth) * free[some]
         squares, pixels = squares + float(off @ off), pixels + off.size
         text = format_magnitude(math.sqrt(squares / pixels), 1e-12)
-        yield Readout("error", "RMS error where spokes pass", text, "of full contrast", "error")
+        yield Readout(
+            "error", "RMS error where spokes pass", text, "of full contrast", role="error"
+        )
 
 
 def by_changes(row: Bars) -> Floats:

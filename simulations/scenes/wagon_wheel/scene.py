@@ -173,13 +173,13 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     plot = "".join(track(per_frame, apparent * spokes / rate, sure, time))
     return Frame(
         (
-            Panel("film", "What the film shows", *SIZE, outputs["film"], over, lead=True),
+            Panel("film", "What the film shows", *SIZE, outputs["film"], overlay=over, lead=True),
             Panel("wheel", "The wheel, one spoke marked", *SIZE, overlay=now),
             Panel("track", "Where the spokes are, frame by frame", *SIZE, overlay=plot),
         ),
         (
-            Readout("direction", "Appears to turn", way, "", "error"),
-            Readout("apparent", "Speed in the film", signed, "turns/s", "error"),
+            Readout("direction", "Appears to turn", way, "", role="error"),
+            Readout("apparent", "Speed in the film", signed, "turns/s", role="error"),
             readout("passing", "Spokes passing", spokes * speed, "per s", digits=1, role="world"),
             readout("nyquist", "Half the frame rate", rate / 2, "per s", digits=1, role="image"),
             readout("step", "Turn from frame to frame", per_frame, "spacings", role="image"),
@@ -256,9 +256,25 @@ SCENE = Scene(
     draw,
     STAGES,
     (
-        Handle("speed", "wheel", "Speed", ("speed",), speed_at, role="world"),
-        Handle("spoke", "wheel", "Marked spoke", ("time",), spoke_at, spoke_pulled, role="ray"),
-        Handle("time", "track", "Row of frames", ("time",), time_at, None, "drag", "", ("time",)),
+        Handle("speed", "wheel", "Speed", drives=("speed",), at=speed_at, role="world"),
+        Handle(
+            "spoke",
+            "wheel",
+            "Marked spoke",
+            drives=("time",),
+            at=spoke_at,
+            pull=spoke_pulled,
+            role="ray",
+        ),
+        Handle(
+            "time",
+            "track",
+            "Row of frames",
+            drives=("time",),
+            at=time_at,
+            reach="drag",
+            reversed=("time",),
+        ),
     ),
     accuracy=Accuracy(
         levels=tiers(*TIERS), default="integral", ladder="exposure-blur", estimate=estimate

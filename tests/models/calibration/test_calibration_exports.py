@@ -26,7 +26,14 @@ RADIAL = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08))
 
 
 def report(camera: Camera = TRUTH) -> Report:
-    return Report(camera, SIZE, {"fx": 0.2}, 0.1, POSES, PHOTOGRAPHS)
+    return Report(
+        camera=camera,
+        size=SIZE,
+        errors={"fx": 0.2},
+        rms_px=0.1,
+        poses=POSES,
+        photographs=PHOTOGRAPHS,
+    )
 
 
 def test_opencv_reads_the_exported_yaml(tmp_path: Path) -> None:

@@ -67,7 +67,14 @@ def test_pixels_round_trip_through_their_ideal_directions() -> None:
 
 def test_files_describe_the_fisheye() -> None:
     truth = fisheye_sitting(600.0)
-    report = Report(truth.camera, SIZE, {}, 0.1, truth.poses, [(str(n), 0.1) for n in range(12)])
+    report = Report(
+        camera=truth.camera,
+        size=SIZE,
+        errors={},
+        rms_px=0.1,
+        poses=truth.poses,
+        photographs=[(str(n), 0.1) for n in range(12)],
+    )
     assert "fisheye_model: 1" in opencv_yaml(report)
     saved = json.loads(as_json(report))
     assert (saved["model"], saved["camera"]["k4"]) == ("fisheye", 0.0002)

@@ -227,7 +227,17 @@ def test_missing_gain_states_its_reason() -> None:
 
 
 def level_at(mean: float, noise: float) -> Level:
-    return Level(mean, noise, 0.01 * noise, 0.0, 1.0, noise, 0.0, 0.0, 20_000)
+    return Level(
+        mean,
+        noise,
+        0.01 * noise,
+        pattern_dn2=0.0,
+        pattern_error_dn2=1.0,
+        noise_in_codes=noise,
+        correlation=0.0,
+        clipped=0.0,
+        pixels=20_000,
+    )
 
 
 def test_scatter_beyond_chance_increases_the_errors() -> None:
