@@ -1,4 +1,4 @@
-/** Modules that are written while a book is built, by `book_files.py` and `kind_files.py` there. */
+/** Modules that are written while a book is built, by `site_builder/output/scripts.py` and `site_builder/assets/page_assets.py`. */
 
 /** What the scripts know of the book. */
 declare module "*/book.js" {

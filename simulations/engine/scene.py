@@ -58,7 +58,7 @@ class Scene[S]:
         for mistake in (
             *self._wrong_stages(),
             *self._wrong_buttons(),
-            *self._wrong_own_pictures(),
+            *self._wrong_reader_pictures(),
             *self.instrument.mistakes(),
             *self.accuracy.mistakes(),
             *mistakes(self.handles, self.controls),
@@ -187,7 +187,7 @@ class Scene[S]:
             if (getattr(control, "effect", "") == "set") != (control.name in self.sets):
                 yield f"{control.name!r} sets nothing; legal: a button in `sets`, with effect set"
 
-    def _wrong_own_pictures(self) -> Iterator[str]:
+    def _wrong_reader_pictures(self) -> Iterator[str]:
         for control in self.controls:
             if control.name in OWN:
                 yield f"setting {control.name!r} has the name of the reader's; legal: another name"

@@ -7,18 +7,18 @@ const LONGEST = 2000;
 const CONTROL = /(?![\n\t])\p{Cc}(?:\[[\d;?]*[A-Za-z])?|[\u202a-\u202e\u2066-\u2069]/gu;
 
 /** The message of what was thrown, as it can be shown. */
-export function message(error: unknown): string {
-  return legible(wholeMessage(error));
+export function errorText(error: unknown): string {
+  return printable(fullErrorText(error));
 }
 
 /** A text that may hold anything, as it can be shown: without control characters, and cut. */
-export function legible(text: string): string {
+export function printable(text: string): string {
   const start = text.slice(0, LONGEST).replaceAll(CONTROL, "").trim();
   return text.length > LONGEST ? `${start} …` : start;
 }
 
 /** The message of what was thrown, whatever it is: the interpreter's file system throws objects. */
-export function wholeMessage(error: unknown): string {
+export function fullErrorText(error: unknown): string {
   if (error instanceof Error) return error.message || error.name;
   if (typeof error !== "object" || error === null) return String(error);
   const { message, name, ...rest } = error as Record<string, unknown>;

@@ -37,8 +37,8 @@ print(pyodide_js._module.HEAPU8.length)
 """
 """Prints while the edited module is executed, once for each new source."""
 RUN_EDITED = """async ([edits]) => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
-  const runtime = inside.sharedRuntime();
+  const {internals} = await customElements.whenDefined('simulation-figure');
+  const runtime = internals.sharedRuntime();
   const frame = {figure: 'memory', scene: 'lens-distortion', values: '{}', tier: '', edits};
   return await runtime.call('render_edited', frame);
 }"""

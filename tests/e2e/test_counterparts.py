@@ -143,7 +143,7 @@ def test_script_function_agrees_with_python(
 
 
 OVERLAYS = """async (sequences) => {
-  const { Overlay } = (await customElements.whenDefined('simulation-figure')).inside;
+  const { Overlay } = (await customElements.whenDefined('simulation-figure')).internals;
   const svg = () => document.createElementNS("http://www.w3.org/2000/svg", "svg");
   return sequences.flatMap((markups) => {
     const overlay = new Overlay(svg());

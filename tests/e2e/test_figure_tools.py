@@ -48,7 +48,7 @@ def test_figure_tools_copy_its_link_reset_it_and_fill_the_screen(
     page.keyboard.press("Tab")
     expect(tools.locator("[data-copy-link]")).to_be_focused()
     page.keyboard.press("Enter")
-    tools.locator(".tools-said", has_text="copied").wait_for()
+    tools.locator(".tools-status", has_text="copied").wait_for()
     link = page.evaluate("navigator.clipboard.readText()")
     assert link == f"{guest.root}{CHAPTER}?{ID}.k1=-0.3#{ID}"
     page.evaluate(
@@ -116,7 +116,7 @@ def test_embedded_figure_works_in_a_page_of_another_origin(
     guest: Reader, tools: Locator, baseline_chromium: Browser, built_site: Path, tmp_path: Path
 ) -> None:
     tools.locator("[data-copy-embed]").click()
-    tools.locator(".tools-said", has_text="copied").wait_for()
+    tools.locator(".tools-status", has_text="copied").wait_for()
     html = guest.page.evaluate("navigator.clipboard.readText()")
     assert f'src="{guest.root}embed/{CHAPTER}{ID}/?k1=-0.3"' in html
     pages = [page.read_bytes() for page in built_site.rglob("*.html")]

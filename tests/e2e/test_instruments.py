@@ -95,7 +95,7 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
         calibration.give(files[:1])
         expect(calibration.readout("focal")).to_have_text("not determined")
         make.click()
-        message = calibration.whole.locator(".made-files-said")
+        message = calibration.whole.locator(".made-files-status")
         expect(message).to_contain_text(": At least 3 photographs")
         calibration.clear()
         expect(message).to_have_text("")

@@ -155,9 +155,10 @@ EDIT = f"""def _encoded(photo):
     return to_rgba8(encode_srgb_table(photo.linear))
 """
 RUN = """async (...sources) => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
+  const {internals} = await customElements.whenDefined('simulation-figure');
+  const {Runtime, startConfinedWorker} = internals;
   const address = new URL(document.body.dataset.runtime, location.href).href;
-  const runtime = new inside.Runtime(address, () => ['lens-distortion'], inside.beginConfined);
+  const runtime = new Runtime(address, () => ['lens-distortion'], startConfinedWorker);
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: ''};
   const results = [];
   for (const source of sources) {
@@ -226,7 +227,7 @@ DRAWINGS = (
     "<pattern id='p'><rect fill='url(#q)'/></pattern><mask id='m'><g mask='url(#m)'/></mask>",
 )
 DRAWN = """async ([drawings]) => {
-  const {Overlay} = (await customElements.whenDefined('simulation-figure')).inside;
+  const {Overlay} = (await customElements.whenDefined('simulation-figure')).internals;
   const svg = document.querySelector('svg.overlay');
   const overlay = new Overlay(svg);
   return drawings.map((drawing) => {

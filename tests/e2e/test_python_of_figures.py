@@ -21,9 +21,9 @@ CHAPTER = "lens-distortion/"
 """A chapter with two figures of one scene with stages."""
 NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb_table(1 - photo.linear))\n"
 LIMIT = """async (limits) => {
-  const {EDITED} = (await customElements.whenDefined('simulation-figure')).inside;
-  const before = {...EDITED};
-  Object.assign(EDITED, limits);
+  const {EDITED_LIMIT} = (await customElements.whenDefined('simulation-figure')).internals;
+  const before = {...EDITED_LIMIT};
+  Object.assign(EDITED_LIMIT, limits);
   return before;
 }"""
 
@@ -360,7 +360,7 @@ def test_copied_script_prints_the_current_numbers_of_the_figure(
     figure = visitor.figure("lens-distortion")
     figure.locator(".share > summary").click()
     figure.locator("[data-copy-python]").click()
-    figure.locator(".tools-said", has_text="copied").wait_for()
+    figure.locator(".tools-status", has_text="copied").wait_for()
     shown = next(each for each in page.evaluate(FIGURES) if each["id"] == place)
     copied = str(page.evaluate("navigator.clipboard.readText()"))
     assert lines_printed_by(tmp_path, [copied]) == [lines_of(shown)]

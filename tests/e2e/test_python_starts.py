@@ -342,7 +342,7 @@ def test_pages_fetch_only_the_parts_that_scenes_and_ladders_import(
 
 
 CALL = """async ([name, payload]) => {
-  const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
+  const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).internals;
   return sharedRuntime().call(name, payload);
 }"""
 

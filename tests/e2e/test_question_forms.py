@@ -208,7 +208,7 @@ def test_progress_lists_mistakes_is_reset_and_moves_as_a_file(
     form = form_of(plain_reader, right)
     assert verdict(form) is None
     page.locator(".progress-file").set_input_files(file)
-    expect(section.locator(".progress-said")).to_contain_text("2 answers")
+    expect(section.locator(".progress-status")).to_contain_text("2 answers")
     assert verdict(form) == "correct"
     page.evaluate(OTHER_EDITION, right["id"])
     page.reload()
@@ -248,7 +248,7 @@ def test_broken_progress_file_changes_nothing(plain_reader: Reader, tmp_path: Pa
     for content, words in BROKEN:
         file.write_text(content)
         page.locator(".progress-file").set_input_files(file)
-        expect(page.locator(".progress-said")).to_contain_text(words)
+        expect(page.locator(".progress-status")).to_contain_text(words)
     stored = page.evaluate("Object.keys(localStorage).filter(k => k.includes(':quiz'))")
     assert stored == []
 
@@ -283,7 +283,7 @@ def test_progress_files_of_a_class_become_a_table_without_uploads(
         broken.write_text("{")
         page.locator(".class-files").set_input_files([*files, broken])
         expect(page.locator(".class-tables details")).to_have_count(2)
-        message = page.locator(".class-said").inner_text()
+        message = page.locator(".class-status").inner_text()
         assert "12 files, 2 questions" in message
         assert "broken.json" in message
 

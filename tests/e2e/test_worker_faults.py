@@ -18,8 +18,8 @@ WITHOUT_SNAPSHOT = {"/snapshot.wasm": Fault(status=404)}
 """Python starts without a snapshot, and needs all other files."""
 
 HARM = """async (edits) => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
-  const runtime = inside.sharedRuntime();
+  const {internals} = await customElements.whenDefined('simulation-figure');
+  const runtime = internals.sharedRuntime();
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
   await runtime.call('forget', {figure: ''}, () => -1); // no other call precedes the harm
   return (await runtime.call('render_edited', frame)).problem;
@@ -43,7 +43,7 @@ OF_A_SMALL_MOVE = """moved = abs(json.loads(given[2]).get("k1", HERE) - HERE)
     """
 """Frames estimated at `HERE`, and frames computed in advance, pass unharmed."""
 HASTE = """async (ms) => {
-  const {render} = (await customElements.whenDefined('simulation-figure')).inside.CALLS;
+  const {render} = (await customElements.whenDefined('simulation-figure')).internals.CALLS;
   const usual = render.limit;
   Object.defineProperty(render, 'limit', {configurable: true, get: () => {
     Object.defineProperty(render, 'limit', {value: usual, writable: true});
@@ -137,8 +137,8 @@ def test_call_refused_by_python_is_reported_and_the_next_one_succeeds(visitor: R
 
 
 ANSWERS = """async (calls) => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
-  const runtime = inside.sharedRuntime();
+  const {internals} = await customElements.whenDefined('simulation-figure');
+  const runtime = internals.sharedRuntime();
   const answers = [];
   for (const [name, payload] of calls) {
     answers.push(await runtime.call(name, payload)
@@ -159,7 +159,7 @@ SILENT = {
     "file never arrives": ("numpy.zip", Fault(delay_s=3600)),
 }
 AWAITED = """async () =>
-  (await customElements.whenDefined('simulation-figure')).inside.sharedRuntime().awaits.file"""
+  (await customElements.whenDefined('simulation-figure')).internals.sharedRuntime().waitsFor.file"""
 
 
 @pytest.mark.parametrize(
@@ -194,7 +194,7 @@ def test_waiting_figure_names_the_file_within_5_s_and_offers_a_retry(
 
 
 BEGIN = """async () => {
-  const {Runtime} = (await customElements.whenDefined('simulation-figure')).inside;
+  const {Runtime} = (await customElements.whenDefined('simulation-figure')).internals;
   window.ended = 0;
   window.plain = [];
   window.dead = false;

@@ -29,7 +29,7 @@ ENDS_OF = ("aliasing", "lens-distortion", "perspective-projection")
 """Scenes whose tiers and controls `make test` also compares: random numbers, a warp, a drawing."""
 
 RENDER = """async ([figure, scene, values, tier, digests]) => {
-  const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
+  const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).internals;
   const reply = await sharedRuntime().call('render', {figure, scene, values, tier});
   const encode = async (buffer, number) => {
     const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', buffer)).toHex();

@@ -39,7 +39,7 @@ class Instrument:
         self.figure = reader.page.locator(f"simulation-figure[data-simulation={scene}]")
         self.whole = reader.page.locator("figure", has=self.figure)
         self.box = self.whole.locator(".intake")
-        self.status = self.box.locator(".intake-said")
+        self.status = self.box.locator(".intake-status")
         self.photographs = self.box.locator(".intake-photo")
         reader.scroll_to(self.box)
         reader.settle(self.figure)

@@ -71,8 +71,8 @@ ADD_LINK = """(url) => {
 }"""
 
 SETTLE = """async (figure) => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
-  const runtime = inside.sharedRuntime();
+  const {internals} = await customElements.whenDefined('simulation-figure');
+  const runtime = internals.sharedRuntime();
   const frame = () => new Promise(requestAnimationFrame);
   for (let quiet = 0, frames = figure.dataset.frames; quiet < 2; ) {
     for (const play of figure.querySelectorAll('button[data-state="1"]')) {
@@ -90,7 +90,7 @@ SETTLE = """async (figure) => {
 }"""
 
 RESTORE = """async (figure) => {
-  const {moveControls} = (await customElements.whenDefined('simulation-figure')).inside;
+  const {moveControls} = (await customElements.whenDefined('simulation-figure')).internals;
   const {controls, values} = JSON.parse(figure.querySelector('script.schema').textContent);
   moveControls(figure.querySelector('form.controls'), controls, values, 'change');
 }"""
@@ -164,8 +164,8 @@ TRY_CONTROLS = """async (figure, controls) => {
 focused, and how many frames it made. Scripts move controls alike in all browsers."""
 
 AWAIT_PULLS = """async () => {
-  const {inside} = await customElements.whenDefined('simulation-figure');
-  const runtime = inside.sharedRuntime();
+  const {internals} = await customElements.whenDefined('simulation-figure');
+  const runtime = internals.sharedRuntime();
   for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
 }"""
 """Wait until all requests of a drag are answered: the one under way, the one that waits for it, and

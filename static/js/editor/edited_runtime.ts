@@ -3,18 +3,18 @@
  * there, the book's interpreter and all other figures are unaffected.
  */
 
-import { legible } from "../errors.ts";
-import { inWords, words, type Said } from "../page/words.ts";
+import { printable } from "../errors.ts";
+import { messageText, words, type Message } from "../page/words.ts";
 import {
-  EDITED,
+  EDITED_LIMIT,
   type CallName,
   type FrameReply,
   type FrameRequest,
   type Requests,
 } from "../runtime/messages.ts";
-import { Runtime, RuntimeFailure, beginConfined, closed } from "../runtime/runtime.ts";
+import { Runtime, RuntimeFailure, closedFailure, startConfinedWorker } from "../runtime/runtime.ts";
 
-export type Problem = { message: string | Said; definition: string; line: number };
+export type Problem = { message: string | Message; definition: string; line: number };
 
 /** The reader's code failed; `problem` says where. */
 export class EditFailure extends RuntimeFailure {
@@ -22,12 +22,12 @@ export class EditFailure extends RuntimeFailure {
     readonly problem: Problem,
     readonly printed: string,
   ) {
-    super("python", legible(inWords(problem.message)));
+    super("python", printable(messageText(problem.message)));
   }
 }
 
 export class EditedRuntime {
-  #own: Runtime | null = null;
+  #runtime: Runtime | null = null;
   /** The time limit, once the interpreter has drawn the book's frame. */
   #limit: Promise<number> | null = null;
   /** What draws the figure: JSON of definitions and texts. */
@@ -52,15 +52,15 @@ export class EditedRuntime {
   ) {}
 
   get generation() {
-    return this.#own?.generation ?? 0;
+    return this.#runtime?.generation ?? 0;
   }
 
-  get awaits() {
-    return (this.#own ?? this.book).awaits;
+  get waitsFor() {
+    return (this.#runtime ?? this.book).waitsFor;
   }
 
   restart() {
-    (this.#own ?? this.book).restart();
+    (this.#runtime ?? this.book).restart();
   }
 
   /** Calls of any runtime; frames and their errors are those of the edited code. */
@@ -72,15 +72,15 @@ export class EditedRuntime {
     const any: any = request;
     if (name === "pull") return await this.book.call(name, request, urgency); // of the controls
     if (name === "photograph" || name === "readings") this.#ready = null; // of other pictures
-    if (name !== "render") return await this.#ask(name, any, this.#edits, urgency);
+    if (name !== "render") return await this.#callEdited(name, any, this.#edits, urgency);
     try {
-      const reply = this.#take(any) ?? (await this.draw(any, this.#edits, urgency));
+      const reply = this.#takeAdopted(any) ?? (await this.draw(any, this.#edits, urgency));
       this.on.drawn(reply.printed);
       return reply;
     } catch (error) {
       if (error instanceof EditFailure) this.on.failed(error);
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
-      if (this.#own) this.on.stopped(error.message); // else it was ended on purpose
+      if (this.#runtime) this.on.stopped(error.message); // else it was ended on purpose
       return await this.book.call(name, request, urgency);
     }
   }
@@ -98,8 +98,8 @@ export class EditedRuntime {
 
   /** End the interpreter. */
   close() {
-    this.#own?.close();
-    this.#own = null;
+    this.#runtime?.close();
+    this.#runtime = null;
     this.#limit = null;
   }
 
@@ -113,7 +113,7 @@ export class EditedRuntime {
     edits: string,
     urgency?: () => number,
   ): Promise<FrameReply & { printed: string }> {
-    const reply = await this.#ask("render_edited", request, edits, urgency);
+    const reply = await this.#callEdited("render_edited", request, edits, urgency);
     if (reply.problem) throw new EditFailure(reply.problem, reply.printed);
     return reply;
   }
@@ -126,11 +126,11 @@ export class EditedRuntime {
   warm(frame: FrameRequest): Promise<number> {
     const { scene } = frame;
     this.#frame = frame;
-    this.#own ??= new Runtime(this.book.url, () => [scene], beginConfined);
-    this.#limit ??= this.#own.call("render", frame).then(
-      ({ computeMs }) => Math.max(EDITED.ms, EDITED.times * computeMs),
+    this.#runtime ??= new Runtime(this.book.url, () => [scene], startConfinedWorker);
+    this.#limit ??= this.#runtime.call("render", frame).then(
+      ({ computeMs }) => Math.max(EDITED_LIMIT.ms, EDITED_LIMIT.times * computeMs),
       (error) => {
-        if (error instanceof RuntimeFailure && error.kind === "python") return EDITED.ms;
+        if (error instanceof RuntimeFailure && error.kind === "python") return EDITED_LIMIT.ms;
         this.#limit = null;
         throw error;
       },
@@ -139,13 +139,13 @@ export class EditedRuntime {
   }
 
   /** The frame that was adopted, if it is the one requested. It can be had once. */
-  #take(request: FrameRequest) {
+  #takeAdopted(request: FrameRequest) {
     const ready = this.#ready;
     this.#ready = null;
     return ready?.request === JSON.stringify(request) ? ready.reply : null;
   }
 
-  async #ask(
+  async #callEdited(
     name: import("../runtime/messages.ts").CallName,
     request: any,
     edits: string,
@@ -153,9 +153,9 @@ export class EditedRuntime {
   ): Promise<any> {
     const frame = request.scene ? request : this.#frame;
     const limit = await this.warm(frame);
-    if (!this.#own) throw closed();
+    if (!this.#runtime) throw closedFailure();
     try {
-      return await this.#own.call(name, { ...request, edits }, urgency, limit);
+      return await this.#runtime.call(name, { ...request, edits }, urgency, limit);
     } catch (error) {
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
       this.#limit = null; // the next interpreter is a new one

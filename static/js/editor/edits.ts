@@ -1,6 +1,6 @@
 /** What a reader has changed in the Python of one figure; kept in the browser. */
 
-import { recall, remember } from "../page/storage.ts";
+import { loadItem, saveItem } from "../page/storage.ts";
 import type { Sources } from "./sources.ts";
 
 /**
@@ -15,53 +15,53 @@ export class Edits {
   /** Whether the figure is drawn by these texts, as they are. */
   runs = false;
 
-  readonly all: Map<string, Edit>;
+  readonly entries: Map<string, Edit>;
 
   /** @param name Under which they are kept. */
   constructor(
     readonly name: string,
     readonly sources: Sources,
   ) {
-    const stored: Stored | null = recall(name);
-    this.all = new Map(Object.entries(stored?.edits ?? {}));
+    const stored: Stored | null = loadItem(name);
+    this.entries = new Map(Object.entries(stored?.edits ?? {}));
   }
 
   /**
    * The reader's text of a definition, or null where it is the book's, or fits the book no more.
    */
   text(key: string) {
-    return this.fits(key) ? (this.all.get(key)?.text ?? null) : null;
+    return this.isCurrent(key) ? (this.entries.get(key)?.text ?? null) : null;
   }
 
   /** Whether an edit was made of the text that the book has now. */
-  fits(key: string) {
-    const edit = this.all.get(key);
+  isCurrent(key: string) {
+    const edit = this.entries.get(key);
     return typeof edit?.text === "string" && edit.original === this.sources.definitions[key]?.hash;
   }
 
   /** Keys of the edits that fit. */
-  get keys() {
-    return [...this.all.keys()].filter((key) => this.fits(key));
+  get currentKeys() {
+    return [...this.entries.keys()].filter((key) => this.isCurrent(key));
   }
 
   /** What the interpreter takes: definitions and texts. */
   get json() {
-    return JSON.stringify(Object.fromEntries(this.keys.map((key) => [key, this.text(key)])));
+    return JSON.stringify(Object.fromEntries(this.currentKeys.map((key) => [key, this.text(key)])));
   }
 
   /** The reader has written; the book's own words are no edit. */
-  write(key: string, text: string) {
+  set(key: string, text: string) {
     const { text: book, hash } = this.sources.definitions[key];
-    if (text === book) this.all.delete(key);
-    else this.all.set(key, { text, original: hash });
+    if (text === book) this.entries.delete(key);
+    else this.entries.set(key, { text, original: hash });
     this.runs = false;
     this.save();
   }
 
   /** @param key Of the edit to forget; all where it is left out. */
-  drop(key?: string) {
-    if (key === undefined) this.all.clear();
-    else this.all.delete(key);
+  remove(key?: string) {
+    if (key === undefined) this.entries.clear();
+    else this.entries.delete(key);
     this.save();
   }
 
@@ -71,7 +71,7 @@ export class Edits {
   }
 
   save() {
-    const stored = { runs: this.runs, edits: Object.fromEntries(this.all) };
-    remember(this.name, this.all.size > 0 ? stored : null);
+    const stored = { runs: this.runs, edits: Object.fromEntries(this.entries) };
+    saveItem(this.name, this.entries.size > 0 ? stored : null);
   }
 }

@@ -1,13 +1,13 @@
 /** Opens the Python of figures: what does it is fetched when it is first needed. */
 
-import { message } from "../errors.ts";
-import { glide, jump } from "../figure/animate.ts";
+import { errorText } from "../errors.ts";
+import { glideTo, recordJump } from "../figure/animate.ts";
 import { SimulationFigure } from "../figure/element.ts";
 import * as figures from "../figure/feature.ts";
-import { say } from "../figure/status.ts";
-import { within } from "../page/dom.ts";
+import { showMessage } from "../figure/status.ts";
+import { closestTo } from "../page/dom.ts";
 import { offerRelease } from "../page/release.ts";
-import { recall } from "../page/storage.ts";
+import { loadItem } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
 import type { Workshop } from "./workshop.ts";
@@ -18,17 +18,17 @@ const workshops: WeakMap<SimulationFigure, Promise<Workshop>> = new WeakMap();
 /** Called once. */
 export function install() {
   document.addEventListener("click", (event) => {
-    const button = within(event, ".open-python", HTMLButtonElement);
+    const button = closestTo(event, ".open-python", HTMLButtonElement);
     const figure = button?.closest("simulation-figure");
     if (figure instanceof SimulationFigure) open(figure);
   });
   document.addEventListener("figure-start", ({ target }) => {
-    if (target instanceof SimulationFigure && recall(keyOf(target))?.runs) resume(target);
+    if (target instanceof SimulationFigure && loadItem(editsKey(target))?.runs) resume(target);
   });
   figures.install();
 }
 
-export const { arrive, returned } = figures;
+export const { arrive, followAddress } = figures;
 
 /**
  * Have a figure of the page drawn with a text in place of one of the book's definitions.
@@ -37,7 +37,7 @@ export const { arrive, returned } = figures;
  * @param key Of the definition.
  * @param values To which the controls are set.
  */
-export async function useInFigure(
+export async function drawFigureWith(
   id: string,
   key: string,
   text: string,
@@ -46,9 +46,9 @@ export async function useInFigure(
   const figure = document.getElementById(id)?.querySelector("simulation-figure");
   if (!(figure instanceof SimulationFigure)) throw new Error(words("question.no_figure"));
   figure.scrollIntoView({ block: "center" });
-  jump(figure, values);
-  glide(figure, values);
-  await (await workshopOf(figure)).use(key, text);
+  recordJump(figure, values);
+  glideTo(figure, values);
+  await (await workshopOf(figure)).runWith(key, text);
 }
 
 async function open(figure: SimulationFigure) {
@@ -56,7 +56,7 @@ async function open(figure: SimulationFigure) {
     await (await workshopOf(figure)).toggle();
   } catch (error) {
     workshops.delete(figure);
-    say(figure, words("figure.no_python", { reason: message(error) }));
+    showMessage(figure, words("figure.no_python", { reason: errorText(error) }));
     offerRelease();
   }
 }
@@ -87,11 +87,11 @@ async function create(figure: SimulationFigure): Promise<Workshop> {
   const { Workshop } = await import("./workshop.ts");
   const runtime = sharedRuntime();
   if (!runtime) throw new Error(words("figure.does_not_run"));
-  return new Workshop(figure, figure.live, runtime, keyOf(figure));
+  return new Workshop(figure, figure.live, runtime, editsKey(figure));
 }
 
 /** Key of a reader's version of a figure's Python in the browser's storage. */
-function keyOf(figure: SimulationFigure) {
+function editsKey(figure: SimulationFigure) {
   const root = new URL(document.body.dataset.root || "./", location.href).pathname;
   const page = location.pathname.slice(root.length).replace(/index\.html$/, "");
   return `python:${page}#${figure.closest("figure")?.id ?? ""}`;

@@ -1,7 +1,7 @@
 /** What the workshop is made of, fetched when one opens. */
 
 import type { CodeEditor } from "../../../site_builder/editor/code_editor.ts";
-import { one } from "../page/dom.ts";
+import { find } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 
 const SHEET = new URL("../../css/workshop.css", import.meta.url).href;
@@ -12,7 +12,7 @@ export async function loadPanel(): Promise<HTMLElement> {
   const [reply] = await Promise.all([fetch(MARKUP), loadSheet()]);
   if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
   const page = new DOMParser().parseFromString(await reply.text(), "text/html");
-  return document.adoptNode(one(page, ".workshop", HTMLElement));
+  return document.adoptNode(find(page, ".workshop", HTMLElement));
 }
 
 function loadSheet(): Promise<void> {

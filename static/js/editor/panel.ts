@@ -2,7 +2,7 @@
 
 import type { CodeEditor } from "../../../site_builder/editor/code_editor.ts";
 import { reasonText, type Stage } from "../figure/stage_report.ts";
-import { all, one } from "../page/dom.ts";
+import { findAll, find } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import type { Problem } from "./edited_runtime.ts";
@@ -93,9 +93,9 @@ export class Panel {
   refresh() {
     const { edits, key } = this;
     const edited = edits.text(key) !== null;
-    const none = edits.all.size === 0;
+    const none = edits.entries.size === 0;
     this.#part(".place-edited").hidden = !edited;
-    this.#part(".workshop-offer").hidden = edited || !edits.all.has(key);
+    this.#part(".workshop-offer").hidden = edited || !edits.entries.has(key);
     for (const [name, disabled] of [
       [".put-back", !edited],
       [".put-all-back", none],
@@ -147,18 +147,22 @@ export class Panel {
    * @param drawn Whether the reader's code draws the figure: it can be stopped then, too.
    */
   showRunning(busy: boolean, drawn: boolean) {
-    for (const button of all(this.element, ".run, .put-back, .put-all-back", HTMLButtonElement)) {
+    for (const button of findAll(
+      this.element,
+      ".run, .put-back, .put-all-back",
+      HTMLButtonElement,
+    )) {
       button.ariaDisabled = String(busy);
     }
     this.#part(".stop").ariaDisabled = String(!busy && !drawn);
   }
 
   get #parts() {
-    return all(this.element, ".workshop-part", HTMLButtonElement);
+    return findAll(this.element, ".workshop-part", HTMLButtonElement);
   }
 
   #part(selector: string) {
-    return one(this.element, selector, HTMLElement);
+    return find(this.element, selector, HTMLElement);
   }
 
   #listParts() {
@@ -183,7 +187,7 @@ export class Panel {
 
   #listUses(uses: string[]) {
     const list = this.#part(".uses-list");
-    const model = one(list, ".use", HTMLButtonElement);
+    const model = find(list, ".use", HTMLButtonElement);
     const buttons = (uses.length > 0 ? uses : [""]).map((key) => {
       const button = copyOf(model);
       button.dataset.definition = key;
@@ -203,9 +207,9 @@ export class Panel {
       ".put-all-back": this.actions.putAllBack,
       ".download": this.actions.download,
       ".close": this.actions.close,
-      ".offer-show": () => this.#editor?.replace(this.edits.all.get(this.key)?.text ?? ""),
+      ".offer-show": () => this.#editor?.replace(this.edits.entries.get(this.key)?.text ?? ""),
       ".offer-forget": () => {
-        this.edits.drop(this.key);
+        this.edits.remove(this.key);
         this.refresh();
       },
       ".result-place": () => this.#goToProblem(),

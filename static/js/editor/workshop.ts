@@ -3,9 +3,9 @@
  * interpreter of its own and becomes the figure's only once it has drawn a frame.
  */
 
-import { message } from "../errors.ts";
+import { errorText } from "../errors.ts";
 import type { LiveFigure } from "../figure/live.ts";
-import { download, one } from "../page/dom.ts";
+import { download, find } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { RuntimeFailure, type Runtime } from "../runtime/runtime.ts";
@@ -39,12 +39,12 @@ export class Workshop {
     readonly name: string,
   ) {
     this.scene = figure.dataset.simulation ?? "";
-    this.button = one(figure, ".open-python", HTMLButtonElement);
-    this.state = one(figure, ".python-state", HTMLElement);
+    this.button = find(figure, ".open-python", HTMLButtonElement);
+    this.state = find(figure, ".python-state", HTMLElement);
     this.edited = new EditedRuntime(book, {
-      drawn: (printed) => this.#drew(printed),
-      failed: (failure) => this.#failed(failure),
-      stopped: (reason) => this.#stopped(reason),
+      drawn: (printed) => this.#showDrawn(printed),
+      failed: (failure) => this.#showFailure(failure),
+      stopped: (reason) => this.#showStopped(reason),
     });
   }
 
@@ -59,7 +59,7 @@ export class Workshop {
     try {
       await this.#open();
     } catch (error) {
-      setText(this.state, words("workshop.not_fetched", { reason: message(error) }));
+      setText(this.state, words("workshop.not_fetched", { reason: errorText(error) }));
     } finally {
       this.#opening = false;
     }
@@ -72,16 +72,16 @@ export class Workshop {
         this.figure.addEventListener("painted", resolve, { once: true });
       });
     }
-    const edits = await this.#stored();
-    if (edits.keys.length > 0) await this.#run();
-    else this.#mark(edits);
+    const edits = await this.#loadEdits();
+    if (edits.currentKeys.length > 0) await this.#run();
+    else this.#showState(edits);
   }
 
   /** Have `text` in place of a definition of the book's, and run it. */
-  async use(key: string, text: string) {
-    const edits = await this.#stored();
+  async runWith(key: string, text: string) {
+    const edits = await this.#loadEdits();
     if (!(key in edits.sources.definitions)) throw new Error(words("workshop.unused"));
-    edits.write(key, text.trimEnd());
+    edits.set(key, text.trimEnd());
     this.#panel?.open(key);
     await this.#run();
   }
@@ -94,7 +94,7 @@ export class Workshop {
   }
 
   /** The reader's edits, and the sources that they were made of. */
-  #stored() {
+  #loadEdits() {
     this.#edits ??= fetchSources(this.scene).then(
       (sources) => new Edits(this.name, sources),
       (error) => {
@@ -107,7 +107,7 @@ export class Workshop {
 
   async #open() {
     const [edits, element, Editor] = await Promise.all([
-      this.#stored(),
+      this.#loadEdits(),
       loadPanel(),
       this.live ? loadEditor(this.button.dataset.editor) : null,
     ]);
@@ -123,11 +123,11 @@ export class Workshop {
     if (Editor) panel.edit(Editor);
     else panel.readOnly(words(this.live ? "workshop.no_editor" : "workshop.no_python"));
     element.id = this.button.getAttribute("aria-controls") ?? "";
-    one(this.figure, ".python", HTMLElement).append(element);
+    find(this.figure, ".python", HTMLElement).append(element);
     this.#panel = panel;
     panel.open(firstPart(edits.sources, this.live?.stages ?? []));
     this.#showStages();
-    this.#mark(edits);
+    this.#showState(edits);
     this.figure.addEventListener("painted", this.#showStages);
     this.button.setAttribute("aria-expanded", "true");
     panel.focus();
@@ -143,22 +143,22 @@ export class Workshop {
 
   #changed(edits: Edits) {
     if (!this.#panel || !this.live) return;
-    edits.write(this.#panel.key, this.#panel.text);
+    edits.set(this.#panel.key, this.#panel.text);
     this.#panel.refresh();
-    this.#mark(edits);
+    this.#showState(edits);
     this.edited.warm(this.live.request()).catch(() => {}); // reported when it is run
   }
 
   async #run() {
     if (this.#running || !this.live) return;
-    const edits = await this.#stored();
+    const edits = await this.#loadEdits();
     const { json } = edits;
-    if (edits.keys.length === 0) {
-      this.#toBook(edits);
+    if (edits.currentKeys.length === 0) {
+      this.#returnToBook(edits);
       return;
     }
     this.#running = true;
-    this.#mark(edits);
+    this.#showState(edits);
     this.#report(words("workshop.running"));
     edits.setRuns(false); // until it is known to end
     try {
@@ -168,47 +168,47 @@ export class Workshop {
       await painted(); // a drawing that freezes the page must not come back with each visit
       edits.setRuns(edits.json === json);
     } catch (error) {
-      if (this.#running) this.#failed(error); // else the reader stopped it
+      if (this.#running) this.#showFailure(error); // else the reader stopped it
     } finally {
       this.#running = false;
-      this.#mark(edits);
+      this.#showState(edits);
     }
   }
 
   /** End the reader's code, which can be run again; the book's draws the figure. */
   #stop(edits: Edits) {
-    if (!this.#running && !this.#drawn) return;
+    if (!this.#running && !this.#isEdited) return;
     this.#running = false;
-    this.#toBook(edits, words("workshop.ended"));
+    this.#returnToBook(edits, words("workshop.ended"));
   }
 
   #putBack(edits: Edits) {
     if (this.#running || !this.#panel) return;
-    edits.drop(this.#panel.key);
+    edits.remove(this.#panel.key);
     this.#panel.putBack();
-    if (this.#drawn) this.#run();
+    if (this.#isEdited) this.#run();
     else this.#report("");
   }
 
   #putAllBack(edits: Edits) {
     if (this.#running) return;
-    edits.drop();
+    edits.remove();
     this.#panel?.putBack();
-    this.#toBook(edits);
+    this.#returnToBook(edits);
   }
 
-  #toBook(edits: Edits, said = words("workshop.book")) {
+  #returnToBook(edits: Edits, text = words("workshop.book")) {
     edits.setRuns(false);
     this.edited.close();
     this.live?.drawnBy(this.book);
     this.#panel?.print("");
     this.#panel?.refresh();
-    this.#report(said);
-    this.#mark(edits);
+    this.#report(text);
+    this.#showState(edits);
   }
 
   #download(edits: Edits) {
-    const texts = [...edits.all].map(([key, { text }]) => {
+    const texts = [...edits.entries].map(([key, { text }]) => {
       const module = key.slice(0, key.indexOf(":"));
       return `# ${nameOf(key)} in ${module.replaceAll(".", "/")}.py\n\n${text}\n`;
     });
@@ -216,33 +216,33 @@ export class Workshop {
   }
 
   /** Whether the figure is drawn by the reader's code. */
-  get #drawn() {
+  get #isEdited() {
     return this.live?.runtime === this.edited;
   }
 
-  async #drew(printed: string) {
+  async #showDrawn(printed: string) {
     this.#panel?.print(printed);
     this.#report(words("workshop.runs"));
-    this.#mark(await this.#stored());
+    this.#showState(await this.#loadEdits());
   }
 
   /** Edited code did not end while the reader used the figure: the book's draws it again. */
-  async #stopped(reason: string) {
+  async #showStopped(reason: string) {
     this.live?.drawnBy(this.book);
-    const edits = await this.#stored();
+    const edits = await this.#loadEdits();
     edits.setRuns(false);
-    this.#mark(edits);
+    this.#showState(edits);
     this.#report(words("workshop.stopped", { reason }), unplaced(reason));
   }
 
-  #failed(error: unknown) {
+  #showFailure(error: unknown) {
     if (error instanceof EditFailure) {
       this.#panel?.print(error.printed);
       this.#report(error.message, error.problem);
       return;
     }
     const lost = error instanceof RuntimeFailure && error.kind === "lost";
-    const reason = message(error);
+    const reason = errorText(error);
     const text = words(lost ? "workshop.stopped_first" : "workshop.did_not_run", { reason });
     this.#report(text, unplaced(reason));
   }
@@ -253,11 +253,11 @@ export class Workshop {
   }
 
   /** What the figure says of itself, also where the panel is closed, and what can be pressed. */
-  #mark(edits: Edits) {
-    this.figure.toggleAttribute("data-edited", this.#drawn);
-    const changed = edits.all.size > 0 ? words("workshop.changed") : "";
-    setText(this.state, this.#drawn ? words("workshop.mark") : changed);
-    this.#panel?.showRunning(this.#running, this.#drawn);
+  #showState(edits: Edits) {
+    this.figure.toggleAttribute("data-edited", this.#isEdited);
+    const changed = edits.entries.size > 0 ? words("workshop.changed") : "";
+    setText(this.state, this.#isEdited ? words("workshop.mark") : changed);
+    this.#panel?.showRunning(this.#running, this.#isEdited);
   }
 }
 

@@ -4,13 +4,13 @@
  */
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
-import { all, element, maybe, one } from "../page/dom.ts";
+import { findAll, element, findOptional, find } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { moveControls, readValues, uncover, type Value } from "./controls.ts";
 import { record, settingsOf } from "./permalink.ts";
 
 /** Milliseconds that sliders take to where they are sent. */
-const GLIDE = 700;
+const GLIDE_MS = 700;
 /** Share of the panels that must be in view for a move to be seen. */
 const IN_VIEW = 0.6;
 
@@ -20,25 +20,25 @@ const followed: WeakMap<HTMLElement, Element> = new WeakMap();
 const moving: WeakMap<HTMLElement, () => void> = new WeakMap();
 
 /** Whether the reader asked for less motion. */
-export function isCalm() {
+export function prefersReducedMotion() {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 
 /** Do what a link of the text says. */
-export async function follow(link: HTMLAnchorElement) {
+export async function followLink(link: HTMLAnchorElement) {
   const place = document.getElementById(link.dataset.figure ?? "");
-  const figure = place && one(place, "simulation-figure", HTMLElement);
+  const figure = place && find(place, "simulation-figure", HTMLElement);
   if (!figure) return;
-  const values = destination(link, figure);
+  const values = valuesOfLink(link, figure);
   const { form, controls } = settingsOf(figure);
-  const shown = readValues(form, controls);
-  const changed = Object.keys(values).filter((name) => values[name] !== shown[name]);
+  const current = readValues(form, controls);
+  const changed = Object.keys(values).filter((name) => values[name] !== current[name]);
   followed.set(figure, link);
   uncover(form, changed);
-  jump(figure, values);
-  await bringIntoView(one(figure, ".panels", HTMLElement));
-  offerWayBack(link);
-  if (followed.get(figure) === link) glide(figure, values);
+  recordJump(figure, values);
+  await bringIntoView(find(figure, ".panels", HTMLElement));
+  offerReturn(link);
+  if (followed.get(figure) === link) glideTo(figure, values);
 }
 
 /**
@@ -46,11 +46,11 @@ export async function follow(link: HTMLAnchorElement) {
  * page's start, to what earlier links of the same prediction say, and to what it says itself. So
  * the claim holds whatever was tried before.
  */
-function destination(link: HTMLAnchorElement, figure: HTMLElement): Record<string, Value> {
+function valuesOfLink(link: HTMLAnchorElement, figure: HTMLElement): Record<string, Value> {
   const valuesOf = ({ dataset }: HTMLElement) => JSON.parse(dataset.values ?? "{}");
   const prediction = predictionOf(link);
   if (!prediction) return valuesOf(link);
-  const links = all(document, "a.set", HTMLAnchorElement).filter(
+  const links = findAll(document, "a.set", HTMLAnchorElement).filter(
     (other) => other.dataset.figure === link.dataset.figure && predictionOf(other) === prediction,
   );
   const upToHere = links.slice(0, links.indexOf(link) + 1);
@@ -64,7 +64,7 @@ function predictionOf(link: HTMLElement) {
 }
 
 /** Keep in the history what the figure shows, and after it where it is going. */
-export function jump(figure: HTMLElement, values: Record<string, Value>) {
+export function recordJump(figure: HTMLElement, values: Record<string, Value>) {
   moving.get(figure)?.();
   record(figure, "replace");
   record(figure, "push", values);
@@ -72,23 +72,23 @@ export function jump(figure: HTMLElement, values: Record<string, Value>) {
 }
 
 /** Move the controls of a figure to `values`; what is left out stays. */
-export function glide(figure: HTMLElement, values: Record<string, Value>) {
+export function glideTo(figure: HTMLElement, values: Record<string, Value>) {
   const { form, controls } = settingsOf(figure);
   const sliders = controls.filter((control) => isSlider(control) && control.name in values);
   const others = controls.filter((control) => !sliders.includes(control));
   moveControls(form, others, values, "change");
   const from = readValues(form, sliders);
   const there = sliders.every(({ name }) => from[name] === values[name]);
-  if (there || isCalm() || figure.dataset.state !== "live") {
+  if (there || prefersReducedMotion() || figure.dataset.state !== "live") {
     moveControls(form, sliders, values, "change");
     delete figure.dataset.moving;
     return;
   }
-  const hands = new AbortController();
-  const { signal } = hands;
+  const listeners = new AbortController();
+  const { signal } = listeners;
   const quit = () => {
     stop();
-    hands.abort();
+    listeners.abort();
     moving.delete(figure);
     delete figure.dataset.moving;
   };
@@ -97,7 +97,7 @@ export function glide(figure: HTMLElement, values: Record<string, Value>) {
     moveControls(form, sliders, readValues(form, sliders), "change");
     record(figure, "replace");
   };
-  const stop = everyFrame(GLIDE, (share) => {
+  const stop = animateShare(GLIDE_MS, (share) => {
     if (!figure.isConnected) {
       quit();
       return;
@@ -118,7 +118,7 @@ export function glide(figure: HTMLElement, values: Record<string, Value>) {
 }
 
 /** Call `draw` with the share of the time gone by, last with 1; what is returned ends it. */
-export function everyFrame(ms: number, draw: (share: number, now: number) => void): () => void {
+export function animateShare(ms: number, draw: (share: number, now: number) => void): () => void {
   let begun = 0;
   const tick = (now: number) => {
     begun ||= now;
@@ -135,7 +135,7 @@ function bringIntoView(panels: HTMLElement): Promise<unknown> {
   const { top, bottom, height } = panels.getBoundingClientRect();
   const seen = Math.min(bottom, innerHeight) - Math.max(top, 0);
   if (seen >= IN_VIEW * Math.min(height, innerHeight)) return Promise.resolve();
-  const calm = isCalm();
+  const calm = prefersReducedMotion();
   const arrived = calm ? Promise.resolve() : scrolled();
   const block = height < innerHeight ? "nearest" : "start";
   panels.scrollIntoView({ behavior: calm ? "instant" : "smooth", block });
@@ -143,10 +143,10 @@ function bringIntoView(panels: HTMLElement): Promise<unknown> {
 }
 
 /** Longest wait for the page to be scrolled, in milliseconds. */
-const SCROLL = 1000;
+const LONGEST_SCROLL_MS = 1000;
 
 /** @returns Once a scroll that begins now has ended, or after `limit` milliseconds. */
-export function scrolled(limit = SCROLL): Promise<unknown> {
+export function scrolled(limit = LONGEST_SCROLL_MS): Promise<unknown> {
   return new Promise((resolve) => {
     document.addEventListener("scrollend", resolve, { once: true });
     setTimeout(resolve, limit);
@@ -154,19 +154,19 @@ export function scrolled(limit = SCROLL): Promise<unknown> {
 }
 
 /** Offer the way back to a link, if the page has been scrolled away from it, until it is seen again. */
-export function offerWayBack(link: HTMLElement) {
-  maybe(document, ".way-back", HTMLElement)?.remove();
+export function offerReturn(link: HTMLElement) {
+  findOptional(document, ".way-back", HTMLElement)?.remove();
   const { top, bottom } = link.getBoundingClientRect();
   if (bottom > 0 && top < innerHeight) return;
-  const asked = link.closest("[data-quiz], [data-predict], [data-answers]");
-  const text = words(asked ? "way_back.question" : "way_back.text");
+  const question = link.closest("[data-quiz], [data-predict], [data-answers]");
+  const text = words(question ? "way_back.question" : "way_back.text");
   const button = element("button", "way-back screen", text);
   button.type = "button";
   button.addEventListener("click", () => {
     link.scrollIntoView({ block: "center" });
     link.focus({ preventScroll: true });
   });
-  one(document, "main", HTMLElement).append(button);
+  find(document, "main", HTMLElement).append(button);
   const seen = new IntersectionObserver(([entry]) => {
     if (!entry?.isIntersecting) return;
     seen.disconnect();

@@ -3,7 +3,7 @@
  * form, and how the address of a page names them.
  */
 
-import { one } from "../page/dom.ts";
+import { find } from "../page/dom.ts";
 import { KINDS } from "./control_kinds.js";
 
 export type Value = number | string | boolean;
@@ -75,7 +75,7 @@ export function moveControls(
 
 /** The native element of a control. */
 export function fieldOf(form: HTMLFormElement, name: string) {
-  return one(form, named(name), HTMLElement);
+  return find(form, named(name), HTMLElement);
 }
 
 /** Selects the control of that name. */

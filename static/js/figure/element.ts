@@ -1,26 +1,26 @@
 /** `<simulation-figure>`: a still that comes alive in place, where the browser can run Python. */
 
-import { isSparing } from "../page/data_saver.ts";
-import { all } from "../page/dom.ts";
+import { isStartDeferred } from "../page/data_saver.ts";
+import { findAll } from "../page/dom.ts";
 import { words } from "../page/words.ts";
-import { EDITED, CALLS } from "../runtime/messages.ts";
-import { Runtime, beginConfined, sharedRuntime } from "../runtime/runtime.ts";
+import { EDITED_LIMIT, CALLS } from "../runtime/messages.ts";
+import { Runtime, startConfinedWorker, sharedRuntime } from "../runtime/runtime.ts";
 import { isAddressed, moveControls } from "./controls.ts";
 import { LiveFigure } from "./live.ts";
 import { Overlay } from "./overlay.ts";
-import { say } from "./status.ts";
+import { showMessage } from "./status.ts";
 
 export class SimulationFigure extends HTMLElement {
   /**
    * What figures run on, for programs that drive a page from outside, as tests do: scripts are
    * bundled, and no address leads to one of them.
    */
-  static inside = {
-    EDITED,
+  static internals = {
+    EDITED_LIMIT,
     Overlay,
     Runtime,
     CALLS,
-    beginConfined,
+    startConfinedWorker,
     moveControls,
     sharedRuntime,
   };
@@ -65,7 +65,7 @@ export class SimulationFigure extends HTMLElement {
 
   #start(runtime: Runtime) {
     this.live = new LiveFigure(this, runtime);
-    if (!isSparing()) this.#announce();
+    if (!isStartDeferred()) this.#announce();
   }
 
   /** Python may run now. */
@@ -85,10 +85,10 @@ export class SimulationFigure extends HTMLElement {
 
   /** This browser cannot run the figure: say so once, and offer no dead controls. */
   #refuse() {
-    for (const controls of all(this, ".control-grid, .more-controls", HTMLElement)) {
+    for (const controls of findAll(this, ".control-grid, .more-controls", HTMLElement)) {
       controls.hidden = true;
     }
     this.dataset.state = "failed";
-    say(this, words("figure.no_assembly"));
+    showMessage(this, words("figure.no_assembly"));
   }
 }

@@ -5,10 +5,10 @@
  */
 
 import { isMetered } from "../page/data_saver.ts";
-import { all, isPlain, maybe, within } from "../page/dom.ts";
+import { findAll, isPlainClick, findOptional, closestTo } from "../page/dom.ts";
 import { linkedPage, prefetch } from "../page/navigate.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
-import { isCalm } from "./animate.ts";
+import { prefersReducedMotion } from "./animate.ts";
 import { SimulationFigure } from "./element.ts";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
@@ -31,51 +31,51 @@ const COLOURED = '[class*="role-"], .control';
 const touched = new WeakSet();
 
 function installGestures() {
-  document.addEventListener("click", clicked);
-  document.addEventListener("input", touch);
-  document.addEventListener("figure-rest", rested);
+  document.addEventListener("click", handleClick);
+  document.addEventListener("input", markTouched);
+  document.addEventListener("figure-rest", recordState);
   // What a press copies must be at hand when it comes: browsers forbid it a moment later.
   document.addEventListener("toggle", fetchTools, true);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
   for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight);
-  for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, usedByHand);
-  document.addEventListener("scroll", pushed, { capture: true, passive: true });
+  for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, noteUse);
+  document.addEventListener("scroll", markDot, { capture: true, passive: true });
 }
 
 /** The address has become another one of the same page: its figures follow. */
-export async function returned() {
+export async function followAddress() {
   if (!document.querySelector("simulation-figure")) return;
   const { showAddress } = await import("./permalink.ts");
   showAddress();
 }
 
-async function clicked(event: MouseEvent) {
-  touch(event);
-  const link = within(event, "a.set[href]", HTMLAnchorElement);
-  const toFigure = within(event, ".figure-link a", HTMLAnchorElement);
-  const tool = within(event, ".tools button", HTMLButtonElement);
-  const dot = within(event, ".panel-dots > button", HTMLButtonElement);
+async function handleClick(event: MouseEvent) {
+  markTouched(event);
+  const link = closestTo(event, "a.set[href]", HTMLAnchorElement);
+  const toFigure = closestTo(event, ".figure-link a", HTMLAnchorElement);
+  const tool = closestTo(event, ".tools button", HTMLButtonElement);
+  const dot = closestTo(event, ".panel-dots > button", HTMLButtonElement);
   if (dot) bringIntoView(dot);
-  if (link && isPlain(event)) {
+  if (link && isPlainClick(event)) {
     event.preventDefault();
-    (await import("./animate.ts")).follow(link);
+    (await import("./animate.ts")).followLink(link);
   }
   if (toFigure) {
-    const { offerWayBack, scrolled } = await import("./animate.ts");
+    const { offerReturn, scrolled } = await import("./animate.ts");
     await scrolled();
-    offerWayBack(toFigure);
+    offerReturn(toFigure);
   }
-  if (tool) (await import("./tools.ts")).use(tool);
+  if (tool) (await import("./tools.ts")).runTool(tool);
 }
 
-function touch(event: Event) {
-  const form = within(event, "form.controls [name]", Element)?.closest("form");
+function markTouched(event: Event) {
+  const form = closestTo(event, "form.controls [name]", Element)?.closest("form");
   if (form) touched.add(form);
 }
 
 /** Keep what the reader has done in the address, once the figure rests. */
-async function rested(event: Event) {
-  const figure = within(event, "simulation-figure", HTMLElement);
+async function recordState(event: Event) {
+  const figure = closestTo(event, "simulation-figure", HTMLElement);
   const form = figure?.querySelector("form.controls");
   for (const readout of figure?.querySelectorAll("[data-moved]") ?? []) {
     readout.removeAttribute("data-moved");
@@ -86,12 +86,12 @@ async function rested(event: Event) {
 }
 
 function fetchTools(event: Event) {
-  if (within(event, ".tools .share", HTMLElement)) import("./tools.ts").catch(ignore);
+  if (closestTo(event, ".tools .share", HTMLElement)) import("./tools.ts").catch(ignore);
 }
 
 async function highlight(event: Event) {
-  const pointed = within(event, COLOURED, Element);
-  if (pointed) (await import("./highlight.ts").catch(ignore))?.point(pointed);
+  const pointed = closestTo(event, COLOURED, Element);
+  if (pointed) (await import("./highlight.ts").catch(ignore))?.highlightFrom(pointed);
 }
 
 /** Optional work: its failure is not reported. */
@@ -104,47 +104,49 @@ function bringIntoView(dot: HTMLButtonElement) {
   const dots = dot.parentElement;
   const strip = dots?.previousElementSibling?.querySelector(".other-panels");
   if (!dots || !strip) return;
-  strip.scrollTo({ left: (way(strip) * Number(dot.dataset.place)) / (dots.children.length - 1) });
+  strip.scrollTo({
+    left: (scrollRange(strip) * Number(dot.dataset.place)) / (dots.children.length - 1),
+  });
 }
 
-function pushed({ target }: Event) {
+function markDot({ target }: Event) {
   if (!(target instanceof HTMLElement) || !target.matches(".other-panels")) return;
   const dots = target.parentElement?.nextElementSibling;
   if (!dots?.matches(".panel-dots")) return;
-  const place = Math.round((target.scrollLeft / way(target)) * (dots.children.length - 1));
-  for (const dot of all(dots, "button", HTMLButtonElement)) {
+  const place = Math.round((target.scrollLeft / scrollRange(target)) * (dots.children.length - 1));
+  for (const dot of findAll(dots, "button", HTMLButtonElement)) {
     dot.ariaCurrent = Number(dot.dataset.place) === place ? "true" : null;
   }
 }
 
-/** How far a strip can be pushed, in pixels. */
-function way(strip: Element) {
+/** How far a strip can be scrolled, in pixels. */
+function scrollRange(strip: Element) {
   return Math.max(1, strip.scrollWidth - strip.clientWidth);
 }
 
 /** Milliseconds for which the handle shows what it is for. */
-const SHOWN = 3200;
+const NUDGE_MS = 3200;
 
 /** Whether the reader has used a figure, here or on an earlier page. */
 let used = false;
 
-function usedByHand(event: Event) {
-  if (!within(event, "simulation-figure", HTMLElement)) return;
+function noteUse(event: Event) {
+  if (!closestTo(event, "simulation-figure", HTMLElement)) return;
   used = true;
-  maybe(document, ".nudged", HTMLElement)?.classList.remove("nudged");
+  findOptional(document, ".nudged", HTMLElement)?.classList.remove("nudged");
 }
 
 /** Before its figure is live, a handle is not displayed and not in view. */
 function nudgeFirstHandle() {
-  const handle = maybe(document, ".handle:not(.drag, .aim, [hidden])", HTMLElement);
-  if (!handle || isCalm()) return;
+  const handle = findOptional(document, ".handle:not(.drag, .aim, [hidden])", HTMLElement);
+  if (!handle || prefersReducedMotion()) return;
   const watcher = new IntersectionObserver(
     ([{ isIntersecting }]) => {
       if (!isIntersecting) return;
       watcher.disconnect();
       if (used) return;
       handle.classList.add("nudged");
-      setTimeout(() => handle.classList.remove("nudged"), SHOWN);
+      setTimeout(() => handle.classList.remove("nudged"), NUDGE_MS);
     },
     { threshold: 1, rootMargin: "-15% 0px" },
   );
@@ -152,7 +154,7 @@ function nudgeFirstHandle() {
 }
 
 /** Milliseconds of rest after the last input. */
-const RESTED = 500;
+const REST_MS = 500;
 /** After anything that the reader waits for. */
 const URGENCY = () => -2;
 
@@ -170,7 +172,7 @@ function watchInput() {
  */
 async function prewarmNext() {
   const main = document.getElementById("main");
-  const link = maybe(document, ".pager a[rel=next]", HTMLAnchorElement);
+  const link = findOptional(document, ".pager a[rel=next]", HTMLAnchorElement);
   const url = link && linkedPage(link);
   if (!url || isMetered() || !(await atRest(main)) || !navigator.onLine) return;
   const page = await prefetch(url);
@@ -184,13 +186,13 @@ async function prewarmNext() {
 
 /** @returns False where the page has been turned meanwhile. */
 async function atRest(main: HTMLElement | null): Promise<boolean> {
-  while (main?.isConnected && !isAtRest()) await new Promise((done) => setTimeout(done, RESTED));
+  while (main?.isConnected && !isAtRest()) await new Promise((done) => setTimeout(done, REST_MS));
   return main?.isConnected ?? false;
 }
 
 function isAtRest() {
   const shown = "simulation-figure:not(details:not([open]) *)";
-  const figures = all(document, shown, HTMLElement);
+  const figures = findAll(document, shown, HTMLElement);
   const live = figures.length > 0 && figures.every(({ dataset }) => dataset.state === "live");
-  return live && performance.now() - lastInput > RESTED;
+  return live && performance.now() - lastInput > REST_MS;
 }

@@ -5,7 +5,7 @@
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { type Control, named, type Value } from "./controls.ts";
-import { all, maybe, one, within } from "../page/dom.ts";
+import { findAll, findOptional, find, closestTo } from "../page/dom.ts";
 
 /** In view box units of a panel. */
 export type Point = [number, number];
@@ -14,39 +14,39 @@ export type Point = [number, number];
 const REACH = 22;
 
 /** The handle that a press means: the nearest mark within reach, else what lies under it. */
-export function grabbed(layer: HTMLElement, event: PointerEvent): HTMLElement | null {
-  const near = all(layer, "[data-handle]:not(.drag, .aim, [hidden])", HTMLElement)
+export function handleAt(layer: HTMLElement, event: PointerEvent): HTMLElement | null {
+  const near = findAll(layer, "[data-handle]:not(.drag, .aim, [hidden])", HTMLElement)
     .map((element) => ({ element, distance: distanceTo(element, event) }))
     .filter(({ distance }) => distance <= REACH)
     .sort((a, b) => a.distance - b.distance);
   if (near.length > 0) return near[0].element;
-  const ground = within(event, ".handle-ground", HTMLElement)?.dataset.groundOf;
+  const ground = closestTo(event, ".handle-ground", HTMLElement)?.dataset.groundOf;
   const target = ground
-    ? maybe(layer, `[data-handle="${CSS.escape(ground)}"]`, HTMLElement)
-    : within(event, "[data-handle]", HTMLElement);
+    ? findOptional(layer, `[data-handle="${CSS.escape(ground)}"]`, HTMLElement)
+    : closestTo(event, "[data-handle]", HTMLElement);
   return target && !target.hidden ? target : null;
 }
 
-export function name(element: HTMLElement) {
+export function handleName(element: HTMLElement) {
   return element.dataset.handle ?? "";
 }
 
-export function driven(element: HTMLElement) {
+export function drivenSettings(element: HTMLElement) {
   return (element.dataset.drives ?? "").split(" ");
 }
 
-export function reversed(element: HTMLElement) {
+export function reversedSettings(element: HTMLElement) {
   return (element.dataset.reversed ?? "").split(" ");
 }
 
 /** The view box of the panel that a handle lies in. */
 function viewBox(element: HTMLElement) {
   const view = element.closest(".panel") ?? element;
-  return one(view, "svg.overlay", SVGSVGElement).viewBox.baseVal;
+  return find(view, "svg.overlay", SVGSVGElement).viewBox.baseVal;
 }
 
 /** Where a pointer is, in view box units of the handle's panel. */
-export function inPanel(element: HTMLElement, event: PointerEvent): Point {
+export function pointerPlace(element: HTMLElement, event: PointerEvent): Point {
   const { width, height } = viewBox(element);
   const box = (element.closest(".handles") ?? element).getBoundingClientRect();
   return [
@@ -56,7 +56,7 @@ export function inPanel(element: HTMLElement, event: PointerEvent): Point {
 }
 
 /** Where a handle is, in view box units of its panel. */
-export function center(element: HTMLElement): Point {
+export function handlePlace(element: HTMLElement): Point {
   const { width, height } = viewBox(element);
   return [
     (Number.parseFloat(element.style.getPropertyValue("--x")) / 100) * width,
@@ -72,7 +72,7 @@ export function placeText({ style }: HTMLElement) {
 }
 
 /** Move a handle to a place of its panel. */
-export function put(element: HTMLElement, place: { x: number; y: number; step?: number }) {
+export function placeHandle(element: HTMLElement, place: { x: number; y: number; step?: number }) {
   const { width, height } = viewBox(element);
   if (place.step) element.dataset.step = String(place.step);
   setProperty(element, "--x", ((100 * place.x) / width).toFixed(3));
@@ -98,11 +98,11 @@ function distanceTo(element: HTMLElement, event: PointerEvent) {
  */
 const REST = 250;
 /** How far a finger at rest may move, in CSS pixels. */
-const STILL = 8;
+const REST_RADIUS = 8;
 
 /** Whether a finger that has not rested goes rather up or down than sideways. */
 export function mayScroll(down: PointerEvent, now: PointerEvent) {
-  if (within(now, ".handles.taken", HTMLElement)) return false;
+  if (closestTo(now, ".handles.taken", HTMLElement)) return false;
   return Math.abs(now.clientY - down.clientY) >= Math.abs(now.clientX - down.clientX);
 }
 
@@ -110,7 +110,7 @@ export function mayScroll(down: PointerEvent, now: PointerEvent) {
  * @param layer The handles of a panel.
  * @param signal Ends all listening.
  */
-export function holdGround(layer: HTMLElement, signal: AbortSignal) {
+export function installGroundHold(layer: HTMLElement, signal: AbortSignal) {
   let down: { clientX: number; clientY: number } | null = null;
   let timer = 0;
   const letGo = () => {
@@ -120,7 +120,10 @@ export function holdGround(layer: HTMLElement, signal: AbortSignal) {
   };
   const press = (event: TouchEvent) => {
     letGo();
-    if (event.touches.length > 1 || !within(event, ".handle-ground, .handle.drag", HTMLElement)) {
+    if (
+      event.touches.length > 1 ||
+      !closestTo(event, ".handle-ground, .handle.drag", HTMLElement)
+    ) {
       return;
     }
     down = event.touches[0];
@@ -130,7 +133,7 @@ export function holdGround(layer: HTMLElement, signal: AbortSignal) {
     if (!down) return;
     const { clientX, clientY } = event.touches[0];
     if (layer.classList.contains("taken")) event.preventDefault();
-    else if (Math.hypot(clientX - down.clientX, clientY - down.clientY) > STILL) letGo();
+    else if (Math.hypot(clientX - down.clientX, clientY - down.clientY) > REST_RADIUS) letGo();
   };
   layer.addEventListener("touchstart", press, { passive: true, signal });
   layer.addEventListener("touchmove", move, { passive: false, signal });
@@ -138,21 +141,21 @@ export function holdGround(layer: HTMLElement, signal: AbortSignal) {
 }
 
 /** Steps of a slider that a page key takes at once. */
-const PAGE = 10;
+const PAGE_STEPS = 10;
 
 const KEYS: Record<string, { axis: number; steps: number } | undefined> = {
   ArrowRight: { axis: 0, steps: 1 },
   ArrowLeft: { axis: 0, steps: -1 },
   ArrowUp: { axis: 1, steps: 1 },
   ArrowDown: { axis: 1, steps: -1 },
-  PageUp: { axis: 1, steps: PAGE },
-  PageDown: { axis: 1, steps: -PAGE },
+  PageUp: { axis: 1, steps: PAGE_STEPS },
+  PageDown: { axis: 1, steps: -PAGE_STEPS },
   Home: { axis: 0, steps: -Infinity },
   End: { axis: 0, steps: Infinity },
 };
 
 /** What a key means for the control that it steps; null where it means nothing to the handle. */
-export function keyed(
+export function valuesByKey(
   event: KeyboardEvent,
   element: HTMLElement,
   form: HTMLFormElement,
@@ -160,27 +163,27 @@ export function keyed(
 ): Record<string, Value> | null {
   const key = KEYS[event.key];
   if (!key || event.altKey || event.ctrlKey || event.metaKey) return null;
-  const names = driven(element);
+  const names = drivenSettings(element);
   const setting = names[Math.min(key.axis, names.length - 1)];
   const control = controls.find(({ name }) => name === setting);
   if (!control) return null;
-  const back = Number.isFinite(key.steps) && reversed(element).includes(setting);
-  const steps = (back ? -1 : 1) * key.steps * (event.shiftKey ? PAGE : 1);
-  return { [setting]: stepped(form, control, steps) };
+  const back = Number.isFinite(key.steps) && reversedSettings(element).includes(setting);
+  const steps = (back ? -1 : 1) * key.steps * (event.shiftKey ? PAGE_STEPS : 1);
+  return { [setting]: steppedValue(form, control, steps) };
 }
 
 /** Where a key moves a handle of points to; null where it does not. */
-export function movedByKey(event: KeyboardEvent, element: HTMLElement): Point | null {
+export function placeByKey(event: KeyboardEvent, element: HTMLElement): Point | null {
   const key = KEYS[event.key];
-  const step = Number(element.dataset.step ?? 0) * (event.shiftKey ? PAGE : 1);
+  const step = Number(element.dataset.step ?? 0) * (event.shiftKey ? PAGE_STEPS : 1);
   if (!key || !step || !event.key.startsWith("Arrow")) return null;
   if (event.altKey || event.ctrlKey || event.metaKey) return null;
-  const [x, y] = center(element);
+  const [x, y] = handlePlace(element);
   return key.axis === 0 ? [x + key.steps * step, y] : [x, y - key.steps * step];
 }
 
 /** A control's value some steps further, or its first or last. */
-function stepped(form: HTMLFormElement, control: Control, steps: number): Value {
+function steppedValue(form: HTMLFormElement, control: Control, steps: number): Value {
   const field = form.querySelector(named(control.name));
   if (field instanceof HTMLSelectElement) {
     const wanted = Math.max(0, Math.min(field.selectedIndex + steps, field.length - 1));

@@ -1,13 +1,13 @@
 /**
- * Handles: what of a picture can be grabbed. The page knows where a handle is and where the
+ * Handles: the parts of a picture that can be dragged. The page knows where a handle is and where the
  * pointer; what a pull means, Python says. It answers with values for controls, and these then
  * move as if the reader had moved them.
  */
 
 import { isPoints } from "../../../simulations/engine/controls/points/kind.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
-import { message } from "../errors.ts";
-import { all, maybe, within } from "../page/dom.ts";
+import { errorText } from "../errors.ts";
+import { findAll, findOptional, closestTo } from "../page/dom.ts";
 import { formatValue, setAttribute } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import {
@@ -20,21 +20,21 @@ import {
   type Value,
 } from "./controls.ts";
 import {
-  center,
-  driven,
-  grabbed,
-  holdGround,
-  inPanel,
-  keyed,
+  drivenSettings,
+  handleAt,
+  installGroundHold,
+  handleName,
+  handlePlace,
+  valuesByKey,
   mayScroll,
-  movedByKey,
-  name,
+  placeByKey,
   placeText,
-  put,
+  placeHandle,
+  pointerPlace,
   type Point,
 } from "./handle_elements.ts";
 import { LatestWins } from "./scheduler.ts";
-import { say } from "./status.ts";
+import { showMessage } from "./status.ts";
 
 /** In view box units of the handle's panel. */
 export type Place = { name: string; x: number; y: number; step?: number };
@@ -44,7 +44,7 @@ export type Pull = { handle: string; x: number; y: number; values: string };
 type Job = { handle: string; place: Point; done: boolean };
 
 /** What is in the reader's hand. */
-interface Held {
+interface Grab {
   element: HTMLElement;
   /** How far from the pointer it was taken. */
   offset: Point;
@@ -55,9 +55,9 @@ interface Held {
 }
 
 export class Handles {
-  #held: Held | null = null;
+  #grab: Grab | null = null;
   #pulls: LatestWins<Job> = new LatestWins((job) => this.#pull(job));
-  #changes: Changes;
+  #history: PointHistory;
   /** Whether a button has pulled, and the handle that it makes is to get the focus. */
   #byButton = false;
 
@@ -66,10 +66,10 @@ export class Handles {
     readonly figure: HTMLElement,
     readonly form: HTMLFormElement,
     readonly schema: Schema,
-    readonly ask: (pull: Pull) => Promise<{ values: Record<string, Value> }>,
+    readonly requestPull: (pull: Pull) => Promise<{ values: Record<string, Value> }>,
     signal: AbortSignal,
   ) {
-    for (const layer of all(figure, ".handles", HTMLElement)) {
+    for (const layer of findAll(figure, ".handles", HTMLElement)) {
       layer.addEventListener("pointerdown", (event) => this.#press(event, layer), { signal });
       layer.addEventListener("pointermove", (event) => this.#move(event), { signal });
       layer.addEventListener("pointerup", (event) => this.#release(event), { signal });
@@ -78,20 +78,20 @@ export class Handles {
       for (const kind of ["pointerover", "pointerout", "focusin", "focusout"]) {
         layer.addEventListener(kind, (event) => this.#point(event), { signal });
       }
-      holdGround(layer, signal);
+      installGroundHold(layer, signal);
     }
     form.addEventListener("input", () => this.#describe(), { signal });
     form.addEventListener("click", (event) => this.#pressed(event), { signal });
-    this.#changes = new Changes(form, schema.controls, signal);
+    this.#history = new PointHistory(form, schema.controls, signal);
   }
 
   /** A frame was painted: put the handles where it has them; the first new one by a button is led on. */
   show(places: Place[]) {
     for (const element of this.#elements) {
-      const place = places.find((place) => place.name === name(element));
+      const place = places.find((place) => place.name === handleName(element));
       const isNew = element.hidden && !!place;
       element.hidden = !place;
-      if (place) put(element, place);
+      if (place) placeHandle(element, place);
       if (isNew && this.#byButton) {
         this.#byButton = false;
         element.focus({ preventScroll: true });
@@ -101,54 +101,54 @@ export class Handles {
   }
 
   get #elements() {
-    return all(this.figure, "[data-handle]", HTMLElement);
+    return findAll(this.figure, "[data-handle]", HTMLElement);
   }
 
   #press(event: PointerEvent, layer: HTMLElement) {
-    if (event.button !== 0 || !event.isPrimary || this.#held) return;
-    const element = grabbed(layer, event);
+    if (event.button !== 0 || !event.isPrimary || this.#grab) return;
+    const element = handleAt(layer, event);
     if (!element) return;
-    const free = !!within(event, ".handle-ground, .handle.aim", HTMLElement);
-    const place = center(element);
-    const pointer = inPanel(element, event);
+    const free = !!closestTo(event, ".handle-ground, .handle.aim", HTMLElement);
+    const place = handlePlace(element);
+    const pointer = pointerPlace(element, event);
     const offset: Point = free ? [0, 0] : [place[0] - pointer[0], place[1] - pointer[1]];
     const ground = free || element.matches(".drag");
     const down = event.pointerType === "touch" && ground ? event : null;
-    this.#held = { element, offset, last: null, down };
+    this.#grab = { element, offset, last: null, down };
     element.classList.add("held", "by-hand");
     layer.setPointerCapture(event.pointerId);
     element.focus({ preventScroll: true });
     if (down && free) return;
     event.preventDefault();
-    if (free) this.#reach(event);
+    if (free) this.#pullToPointer(event);
   }
 
   #move(event: PointerEvent) {
-    if (!this.#held || (this.#held.down && mayScroll(this.#held.down, event))) return;
-    this.#held.down = null;
-    this.#reach(event);
+    if (!this.#grab || (this.#grab.down && mayScroll(this.#grab.down, event))) return;
+    this.#grab.down = null;
+    this.#pullToPointer(event);
   }
 
   /** Bring what is held to the pointer. */
-  #reach(event: PointerEvent) {
-    if (!this.#held) return;
-    const { element, offset } = this.#held;
-    const pointer = inPanel(element, event);
-    this.#held.last = [pointer[0] + offset[0], pointer[1] + offset[1]];
-    this.#pulls.submit({ handle: name(element), place: this.#held.last, done: false });
+  #pullToPointer(event: PointerEvent) {
+    if (!this.#grab) return;
+    const { element, offset } = this.#grab;
+    const pointer = pointerPlace(element, event);
+    this.#grab.last = [pointer[0] + offset[0], pointer[1] + offset[1]];
+    this.#pulls.submit({ handle: handleName(element), place: this.#grab.last, done: false });
   }
 
   #release(event: PointerEvent) {
-    if (this.#held?.last || event.pointerType === "touch") this.#reach(event);
+    if (this.#grab?.last || event.pointerType === "touch") this.#pullToPointer(event);
     this.#letGo();
   }
 
   #letGo() {
-    if (!this.#held) return;
-    const { element, last } = this.#held;
+    if (!this.#grab) return;
+    const { element, last } = this.#grab;
     element.classList.remove("held");
-    this.#held = null;
-    if (last) this.#pulls.submit({ handle: name(element), place: last, done: true });
+    this.#grab = null;
+    if (last) this.#pulls.submit({ handle: handleName(element), place: last, done: true });
   }
 
   async #pull({ handle, place: [x, y], done }: Job) {
@@ -156,27 +156,28 @@ export class Handles {
     const { controls } = this.schema;
     try {
       const sent = readValues(form, controls);
-      const { values } = await this.ask({ handle, x, y, values: JSON.stringify(sent) });
+      const { values } = await this.requestPull({ handle, x, y, values: JSON.stringify(sent) });
       if (!figure.isConnected) return;
       const changed = Object.entries(values).filter(([key, value]) => value !== sent[key]);
       moveControls(form, controls, Object.fromEntries(changed), "input");
       if (done) moveControls(form, controls, values, "change");
     } catch (error) {
-      if (figure.isConnected) say(figure, words("figure.stays", { reason: message(error) }));
+      if (figure.isConnected)
+        showMessage(figure, words("figure.stays", { reason: errorText(error) }));
     }
   }
 
   #key(event: KeyboardEvent) {
-    const element = within(event, "[data-handle]", HTMLElement);
+    const element = closestTo(event, "[data-handle]", HTMLElement);
     const { controls } = this.schema;
-    const place = element && movedByKey(event, element);
+    const place = element && placeByKey(event, element);
     if (place) {
       event.preventDefault();
       element.classList.remove("by-hand");
-      this.#pulls.submit({ handle: name(element), place, done: true });
+      this.#pulls.submit({ handle: handleName(element), place, done: true });
       return;
     }
-    const values = element && keyed(event, element, this.form, controls);
+    const values = element && valuesByKey(event, element, this.form, controls);
     if (!values) return;
     event.preventDefault();
     element.classList.remove("by-hand");
@@ -186,18 +187,20 @@ export class Handles {
 
   /** A button that pulls a handle, or takes a change of points back. */
   #pressed(event: Event) {
-    const handle = within(event, "[data-pull]", HTMLElement)?.dataset.pull;
+    const handle = closestTo(event, "[data-pull]", HTMLElement)?.dataset.pull;
     this.#byButton = !!handle;
     if (handle) this.#pulls.submit({ handle, place: [0, 0], done: true });
-    const undone = within(event, "[data-undo]", HTMLElement)?.dataset.undo;
-    if (undone) this.#changes.undo(undone);
+    const undone = closestTo(event, "[data-undo]", HTMLElement)?.dataset.undo;
+    if (undone) this.#history.undo(undone);
   }
 
   /** Have each handle say what it is set to. */
   #describe() {
     const values = readValues(this.form, this.schema.controls);
     for (const element of this.#elements) {
-      const controls = this.schema.controls.filter(({ name }) => driven(element).includes(name));
+      const controls = this.schema.controls.filter(({ name }) =>
+        drivenSettings(element).includes(name),
+      );
       const text = controls.map((control) =>
         isPoints(control)
           ? `${control.label} ${placeText(element)}`
@@ -229,9 +232,9 @@ export class Handles {
 
   /** Mark the controls that a handle drives while it is pointed at or focused. */
   #point(event: Event) {
-    const element = within(event, "[data-handle]", HTMLElement);
+    const element = closestTo(event, "[data-handle]", HTMLElement);
     const begun = event.type === "pointerover" || event.type === "focusin";
-    for (const setting of element ? driven(element) : []) {
+    for (const setting of element ? drivenSettings(element) : []) {
       const box = this.form.querySelector(named(setting))?.closest(".control");
       box?.classList.toggle("driven", begun);
     }
@@ -242,9 +245,9 @@ export class Handles {
 }
 
 /** The changes of the points of a figure, which a button takes back one by one. */
-class Changes {
-  /** Values that the controls had, the last one being the present. */
-  #had: Map<string, Value[]> = new Map();
+class PointHistory {
+  /** Values that the control had, the last one being the present. */
+  #values: Map<string, Value[]> = new Map();
 
   constructor(
     readonly form: HTMLFormElement,
@@ -252,23 +255,23 @@ class Changes {
     signal: AbortSignal,
   ) {
     const points = controls.filter(isPoints);
-    for (const control of points) this.#had.set(control.name, [readValue(form, control)]);
+    for (const control of points) this.#values.set(control.name, [readValue(form, control)]);
     if (points.length)
-      form.addEventListener("change", () => points.forEach(this.#keep), { signal });
+      form.addEventListener("change", () => points.forEach(this.#record), { signal });
   }
 
   undo(name: string) {
-    const had = this.#had.get(name) ?? [];
-    if (had.length < 2) return;
-    had.pop();
-    moveControls(this.form, this.controls, { [name]: had[had.length - 1] }, "change");
+    const values = this.#values.get(name) ?? [];
+    if (values.length < 2) return;
+    values.pop();
+    moveControls(this.form, this.controls, { [name]: values[values.length - 1] }, "change");
   }
 
-  #keep = (control: Control) => {
-    const had = this.#had.get(control.name) ?? [];
+  #record = (control: Control) => {
+    const values = this.#values.get(control.name) ?? [];
     const now = readValue(this.form, control);
-    if (now !== had[had.length - 1]) had.push(now);
-    const button = maybe(this.form, `[data-undo="${control.name}"]`, HTMLButtonElement);
-    if (button) button.disabled = had.length < 2;
+    if (now !== values[values.length - 1]) values.push(now);
+    const button = findOptional(this.form, `[data-undo="${control.name}"]`, HTMLButtonElement);
+    if (button) button.disabled = values.length < 2;
   };
 }

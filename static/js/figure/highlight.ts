@@ -5,7 +5,7 @@
  * picture.
  */
 
-import { all, maybe } from "../page/dom.ts";
+import { findAll, findOptional } from "../page/dom.ts";
 import { named } from "./controls.ts";
 
 /** Milliseconds that a pointer must rest: one that passes highlights nothing. */
@@ -16,7 +16,7 @@ let pointed: Element | null = null;
 let leaving = new AbortController();
 
 /** The reader points at, or has focused, something that may have a colour. */
-export function point(element: Element) {
+export function highlightFrom(element: Element) {
   const figure = nearestFigure(element);
   const role = figure && roleOf(element, figure);
   if (element === pointed || !role) return;
@@ -45,20 +45,20 @@ function clear() {
     }
   }
   pointed = null;
-  for (const lit of all(document, "[data-lit]", HTMLElement)) delete lit.dataset.lit;
+  for (const lit of findAll(document, "[data-lit]", HTMLElement)) delete lit.dataset.lit;
 }
 
 /** The colour of an element; of a control that of the handle which drives it. */
 function roleOf(element: Element, figure: HTMLElement): string | undefined {
   const name = element.matches(".control") && element.querySelector("[name]")?.getAttribute("name");
   const driving = `[data-handle][data-drives~="${CSS.escape(name || "")}"]`;
-  const coloured = name ? maybe(figure, driving, HTMLElement) : element;
+  const coloured = name ? findOptional(figure, driving, HTMLElement) : element;
   return /(?:^|\s)role-(\w+)/.exec(coloured?.getAttribute("class") ?? "")?.[1];
 }
 
 /** The controls that a handle of this colour drives. */
 function controlsOf(figure: HTMLElement, role: string) {
-  const handles = all(figure, `.handle.role-${role}`, HTMLElement);
+  const handles = findAll(figure, `.handle.role-${role}`, HTMLElement);
   const names = new Set(handles.flatMap(({ dataset }) => (dataset.drives ?? "").split(" ")));
   return [...names].flatMap((name) => figure.querySelector(named(name))?.closest(".control") ?? []);
 }
@@ -66,12 +66,12 @@ function controlsOf(figure: HTMLElement, role: string) {
 /** The figure that an element stands in, or the one that lies least far above or below it. */
 function nearestFigure(element: Element): HTMLElement | null {
   const inside = element.closest("figure.simulation");
-  if (inside) return maybe(inside, "simulation-figure", HTMLElement);
+  if (inside) return findOptional(inside, "simulation-figure", HTMLElement);
   const here = element.getBoundingClientRect();
   const distance = (figure: HTMLElement) => {
     const { top, bottom } = figure.getBoundingClientRect();
     return Math.max(top - here.bottom, here.top - bottom);
   };
-  const figures = all(document, "simulation-figure", HTMLElement);
+  const figures = findAll(document, "simulation-figure", HTMLElement);
   return figures.sort((one, other) => distance(one) - distance(other))[0] ?? null;
 }

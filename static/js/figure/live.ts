@@ -3,11 +3,11 @@
  * of itself in `data-` attributes is in `status.ts`; retries are in `recovery.ts`.
  */
 
-import { isSparing, sparingReason } from "../page/data_saver.ts";
-import { data, one, within } from "../page/dom.ts";
+import { isStartDeferred, deferralReason } from "../page/data_saver.ts";
+import { data, find, closestTo } from "../page/dom.ts";
 import type { FrameReply } from "../runtime/messages.ts";
 import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.ts";
-import { announcer, clearFailure, say, showFailure, showLive } from "./status.ts";
+import { announcer, clearFailure, showFailure, showLive, showMessage } from "./status.ts";
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.ts";
 import {
@@ -21,10 +21,10 @@ import {
 import { Handles, type Pull } from "./handles.ts";
 import { FigureLevels } from "./levels.ts";
 import { Motion, moveInView } from "./motion.ts";
-import { OwnPicture } from "./own_picture.ts";
-import { Painter, takeStills } from "./painter.ts";
+import { ReaderPicture } from "./reader_picture.ts";
+import { Painter, adoptInitialFrames } from "./painter.ts";
 import { Prerendered } from "./prerendered.ts";
-import { attemptTwice, beginAll, retryAll, sayWhatIsAwaited } from "./recovery.ts";
+import { attemptTwice, startAll, retryAll, reportWaiting } from "./recovery.ts";
 import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
 
@@ -38,7 +38,7 @@ type Job = {
   tier: string;
   control: string;
   isMoving: boolean;
-  own: string;
+  pictures: string;
   time: number;
   urgency: number;
 };
@@ -56,7 +56,7 @@ export class LiveFigure {
   #listeners = new AbortController();
   #near = false;
   /** What the last frame was requested for, and what the last one shows. */
-  #asked = "";
+  #requested = "";
   #painted = "";
   #sound: Sound | null = null;
   /** Job of an initial frame that was taken for the live one, and is not computed yet. */
@@ -72,7 +72,7 @@ export class LiveFigure {
   readonly accuracy: Accuracy;
   readonly levels: FigureLevels;
   readonly motion: Motion;
-  readonly own: OwnPicture;
+  readonly pictures: ReaderPicture;
   readonly handles: Handles;
   readonly observer: IntersectionObserver;
 
@@ -82,14 +82,14 @@ export class LiveFigure {
   ) {
     const { signal } = this.#listeners;
     this.schema = data(figure, "script.schema");
-    this.form = one(figure, "form.controls", HTMLFormElement);
+    this.form = find(figure, "form.controls", HTMLFormElement);
     this.levels = new FigureLevels(this.form, this.schema, this.#scene);
     this.painter = new Painter(figure);
     this.prerendered = new Prerendered(this.painter, this.form, this.schema, (places) => {
       this.handles.show(places);
     });
-    this.announce = announcer(one(figure, ".description", HTMLElement));
-    const estimate: Accuracy["ask"] = async ({ values, tier }, urgency) => {
+    this.announce = announcer(find(figure, ".description", HTMLElement));
+    const estimate: Accuracy["nextEstimate"] = async ({ values, tier }, urgency) => {
       return (await this.runtime.call("error", this.#request(values, tier), urgency)).estimate;
     };
     this.accuracy = new Accuracy(figure, this.levels, estimate, () => this.#askAgain());
@@ -97,7 +97,12 @@ export class LiveFigure {
       if (!isMoving) this.levels.settle(control);
       this.#ask(time, control, isMoving);
     });
-    this.own = new OwnPicture(figure, this.schema.photograph, () => this.#askAgain(), signal);
+    this.pictures = new ReaderPicture(
+      figure,
+      this.schema.photograph,
+      () => this.#askAgain(),
+      signal,
+    );
     this.#listen(signal);
     const pull = (pull: Pull) => this.#pull(pull);
     this.handles = new Handles(figure, this.form, this.schema, pull, signal);
@@ -114,7 +119,7 @@ export class LiveFigure {
     this.accuracy.stop();
     this.#scheduler.clear();
     this.runtime.forget(this.#key);
-    if (this.own.isLarge) this.runtime.close(); // an interpreter gives no memory back before
+    if (this.pictures.isLarge) this.runtime.close(); // an interpreter gives no memory back before
   }
 
   /** Whether the frame that was requested last is shown, or has failed. */
@@ -125,14 +130,14 @@ export class LiveFigure {
   /** Try again what failed, or start what waited for the reader; the figure keeps its values. */
   retry() {
     this.figure.dataset.state = "starting";
-    say(this.figure, "");
+    showMessage(this.figure, "");
     this.#askAgain();
   }
 
   /** From now on, get frames from another runtime, beginning with the present one. */
   drawnBy(runtime: Caller) {
     this.runtime = runtime;
-    this.#asked = this.#painted = "";
+    this.#requested = this.#painted = "";
     this.#askAgain();
   }
 
@@ -143,7 +148,7 @@ export class LiveFigure {
 
   /** Which condition is the first to hold of the form's present values, or a `RuntimeFailure`. */
   async judge(conditions: string[]): Promise<number | null> {
-    beginAll();
+    startAll();
     const judged = { ...this.request(), conditions };
     return (await this.runtime.call("judge", judged, () => URGENCY.touched)).met;
   }
@@ -151,7 +156,7 @@ export class LiveFigure {
   /** The sound of the present frame, null where its scene has none, or a `RuntimeFailure`. */
   async sound(): Promise<Sound | null> {
     if (this.#sound) return this.#sound;
-    beginAll();
+    startAll();
     const reply = await this.runtime.call("render", this.request(), () => URGENCY.touched);
     this.#sound ??= soundOf(reply);
     return this.#sound;
@@ -162,10 +167,10 @@ export class LiveFigure {
    * is folded up, once that is opened.
    */
   #startInView() {
-    if (isSparing()) this.figure.dataset.state = "waiting";
-    if (this.#waits) say(this.figure, sparingReason(), { begin: true, lasting: true });
+    if (isStartDeferred()) this.figure.dataset.state = "waiting";
+    if (this.#waits) showMessage(this.figure, deferralReason(), { begin: true, lasting: true });
     const begin = () => {
-      const isNew = !this.#asked && this.figure.dataset.state !== "failed";
+      const isNew = !this.#requested && this.figure.dataset.state !== "failed";
       if (isNew) this.#ask(performance.now(), "", false, URGENCY.far);
     };
     const { signal } = this.#listeners;
@@ -190,9 +195,9 @@ export class LiveFigure {
     form.addEventListener("input", (event) => this.#changed(event, true), { signal });
     form.addEventListener("change", (event) => this.#changed(event, false), { signal });
     form.addEventListener("click", (event) => this.#pressed(event), { signal });
-    const retry = one(figure, ".retry", HTMLButtonElement);
+    const retry = find(figure, ".retry", HTMLButtonElement);
     retry.addEventListener("click", () => this.#tryAgain(), { signal });
-    one(figure, ".begin", HTMLButtonElement).addEventListener("click", beginAll, { signal });
+    find(figure, ".begin", HTMLButtonElement).addEventListener("click", startAll, { signal });
   }
 
   /** After a failure, or in place of a worker that keeps the figure waiting. */
@@ -200,7 +205,7 @@ export class LiveFigure {
     if (this.figure.dataset.state === "failed") {
       retryAll();
     } else {
-      say(this.figure, "");
+      showMessage(this.figure, "");
       this.runtime.restart();
     }
   }
@@ -225,7 +230,7 @@ export class LiveFigure {
   }
 
   #control(event: Event): Control | undefined {
-    const name = within(event, "[name]", Element)?.getAttribute("name");
+    const name = closestTo(event, "[name]", Element)?.getAttribute("name");
     return this.schema.controls.find((control) => control.name === name);
   }
 
@@ -266,11 +271,11 @@ export class LiveFigure {
     if (!this.figure.isConnected || this.#waits || this.#isFolded) return;
     const { dataset } = this.figure;
     if (dataset.state === "still") dataset.state = "starting";
-    const [values, tier, own] = [this.#values, this.levels.rest, this.own.key];
-    const job = { values, tier, control, isMoving, own, time, urgency };
-    const asked = `${what(job)} ${isMoving}`;
-    if (asked === this.#asked) return;
-    this.#asked = asked;
+    const [values, tier, pictures] = [this.#values, this.levels.rest, this.pictures.key];
+    const job = { values, tier, control, isMoving, pictures, time, urgency };
+    const requested = `${frameKey(job)} ${isMoving}`;
+    if (requested === this.#requested) return;
+    this.#requested = requested;
     this.#scheduler.submit(job);
   }
 
@@ -281,19 +286,19 @@ export class LiveFigure {
   async #run(job: Job) {
     // At the last moment, when the time of the frame before is known.
     if (job.isMoving) job.tier = this.levels.moving(job.control, performance.now());
-    job.own = this.own.key;
-    if (what(job) === this.#painted) return;
+    job.pictures = this.pictures.key;
+    if (frameKey(job) === this.#painted) return;
     const attempt = async () => {
-      await this.own.handOver(this.runtime, this.#key);
+      await this.pictures.sendTo(this.runtime, this.#key);
       if (!(await this.#adopt(job))) await this.#render(job);
     };
     const isWanted = () => this.figure.isConnected && !this.#scheduler.stale;
-    const stop = sayWhatIsAwaited(this.figure, this.runtime, () => this.#near);
+    const stop = reportWaiting(this.figure, this.runtime, () => this.#near);
     const error = await attemptTwice(this.figure, attempt, isWanted);
     stop();
     if (error === undefined || !this.figure.isConnected) return;
     this.motion.stop();
-    this.#asked = this.#painted = "";
+    this.#requested = this.#painted = "";
     showFailure(this.figure, error);
   }
 
@@ -313,7 +318,7 @@ export class LiveFigure {
    */
   async #adopt(job: Job) {
     const runtime = sharedRuntime();
-    const isUnchanged = () => !this.own.key && isInitial(this.figure, this.schema, job);
+    const isUnchanged = () => !this.pictures.key && isInitial(this.figure, this.schema, job);
     if (!runtime || this.runtime !== runtime || !isUnchanged()) return false;
     const scene = { figure: this.#key, scene: this.#scene };
     const urgency = () => this.#urgency(job.urgency);
@@ -321,9 +326,9 @@ export class LiveFigure {
     if (sources !== document.body.dataset.sources || !isUnchanged()) return false;
     if (this.figure.isConnected) {
       this.prerendered.end();
-      takeStills(this.figure);
+      adoptInitialFrames(this.figure);
       clearFailure(this.figure);
-      this.#painted = what(job);
+      this.#painted = frameKey(job);
       showLive(this.figure, job, 0);
       this.#uncached = job;
       setTimeout(() => this.#cache()); // once this job is done and the figure rests
@@ -347,13 +352,13 @@ export class LiveFigure {
     this.stages = JSON.parse(meta).stages;
     this.figure.dataset.computeMs = computeMs.toFixed(1);
     this.#learn(job, computeMs);
-    this.accuracy.shown(job, computeMs);
+    this.accuracy.framePainted(job, computeMs);
     this.figure.dispatchEvent(new Event("painted"));
   }
 
   /** What a pull at a handle means for the controls: the hand waits for it before all else. */
   async #pull(pull: Pull) {
-    if (this.#waits) throw new RuntimeFailure("start", sparingReason());
+    if (this.#waits) throw new RuntimeFailure("start", deferralReason());
     const request = this.#request(pull.values, this.figure.dataset.level ?? "");
     return this.runtime.call("pull", { ...request, ...pull }, () => URGENCY.held);
   }
@@ -366,13 +371,13 @@ export class LiveFigure {
     this.#sound = soundOf(reply);
     this.handles.show(meta.handles);
     showStages(this.figure, meta.stages);
-    this.#painted = what(job);
+    this.#painted = frameKey(job);
     this.announce(meta.description);
     clearFailure(this.figure);
     const isFirst = this.figure.dataset.frames === "0";
     if (isFirst) this.#learn({ ...job, control: "" }, reply.computeMs);
     else if (job.control) this.#learn(job, performance.now() - job.time);
-    this.accuracy.shown(job, reply.computeMs);
+    this.accuracy.framePainted(job, reply.computeMs);
     showLive(this.figure, job, reply.computeMs);
   }
 
@@ -382,8 +387,8 @@ export class LiveFigure {
 }
 
 /** What a frame shows. */
-function what({ values, tier, own }: Job) {
-  return `${values} ${tier} ${own}`;
+function frameKey({ values, tier, pictures }: Job) {
+  return `${values} ${tier} ${pictures}`;
 }
 
 function soundOf({ meta, sound }: FrameReply): Sound | null {

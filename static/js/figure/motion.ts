@@ -4,21 +4,21 @@
  * view.
  */
 
-import { one } from "../page/dom.ts";
-import { everyFrame, isCalm } from "./animate.ts";
+import { find } from "../page/dom.ts";
+import { animateShare, prefersReducedMotion } from "./animate.ts";
 import { isAction, type Action } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, type Slider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { readValue, writeValue, type Schema } from "./controls.ts";
 
 /** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
-const CALM_PAUSE = 1;
+const REDUCED_PAUSE = 1;
 /** Pictures on a way that is too short for whole numbers. */
-const CALM_PICTURES = 4;
+const REDUCED_PICTURES = 4;
 /** A way of more whole numbers than these has fewer pictures. */
 const MOST_WHOLE = 48;
-const CALM_MOST = 24;
+const REDUCED_MOST = 24;
 /** Milliseconds of a slider's way to its `arrival` and back. */
-const THERE_AND_BACK = 4000;
+const RETURN_MS = 4000;
 
 export class Motion {
   /** Without an action it has begun by itself, and any touch ends it. */
@@ -56,7 +56,7 @@ export class Motion {
   }
 
   /** Begin what a figure shows by itself, if a control says so and stands where the page put it. */
-  arrive() {
+  startByItself() {
     const { controls, values } = this.schema;
     const action = controls.filter(isAction).find(({ arrival }) => arrival);
     const slider = controls.filter(isSlider).find(({ arrival }) => arrival !== undefined);
@@ -65,15 +65,15 @@ export class Motion {
   }
 
   /** A hand is on the figure. */
-  touched() {
+  stopByTouch() {
     if (this.#playing && !this.#playing.action) this.stop();
   }
 
   #goAndReturn(slider: Slider) {
     const start = this.#value(slider);
-    const way = (slider.arrival ?? start) - start;
-    const stop = everyFrame(THERE_AND_BACK, (share, now) => {
-      writeValue(this.form, slider, start + (way * (1 - Math.cos(2 * Math.PI * share))) / 2);
+    const range = (slider.arrival ?? start) - start;
+    const stop = animateShare(RETURN_MS, (share, now) => {
+      writeValue(this.form, slider, start + (range * (1 - Math.cos(2 * Math.PI * share))) / 2);
       if (share < 1) this.moved(slider.name, now, true);
       else this.stop();
     });
@@ -91,25 +91,25 @@ export class Motion {
   #play(action: Action, slider: Slider) {
     if (this.#value(slider) >= slider.max) writeValue(this.form, slider, slider.min);
     writeValue(this.form, action, action.labels.length > 1 ? 1 : 0);
-    const stop = isCalm() ? this.#walk(action, slider) : this.#sweep(action, slider);
+    const stop = prefersReducedMotion() ? this.#walk(action, slider) : this.#sweep(action, slider);
     this.#playing = { action, slider, stop };
   }
 
   /** Continuous motion, a step of the slider at a time; what is returned ends it. */
   #sweep(action: Action, slider: Slider): () => void {
     const start = this.#value(slider);
-    const way = slider.max - slider.min;
-    return everyFrame(action.seconds * 1000, (share, now) => {
-      this.#moveTo(slider, start + share * way, now);
+    const range = slider.max - slider.min;
+    return animateShare(action.seconds * 1000, (share, now) => {
+      this.#moveTo(slider, start + share * range, now);
     });
   }
 
   /** One picture after another, the first at once, with time to look; what is returned ends it. */
   #walk(action: Action, slider: Slider): () => void {
-    const way = slider.max - slider.min;
-    const coarse = Math.ceil(way / CALM_MOST / slider.step) * slider.step;
-    const stride = way > MOST_WHOLE ? coarse : Math.min(1, way / CALM_PICTURES);
-    const pause = Math.max(CALM_PAUSE, (action.seconds * stride) / way);
+    const range = slider.max - slider.min;
+    const coarse = Math.ceil(range / REDUCED_MOST / slider.step) * slider.step;
+    const stride = range > MOST_WHOLE ? coarse : Math.min(1, range / REDUCED_PICTURES);
+    const pause = Math.max(REDUCED_PAUSE, (action.seconds * stride) / range);
     const tick = () => {
       timer = setTimeout(tick, pause * 1000);
       this.#moveTo(slider, this.#next(slider, stride), performance.now());
@@ -145,13 +145,13 @@ export function moveInView(figure: HTMLElement, motion: Motion, signal: AbortSig
   let inView = false;
   const begin = () => {
     // Python has computed a frame of it, and so will keep up with what moves.
-    if (!waits || !inView || !Number(figure.dataset.computeMs) || isCalm()) return;
+    if (!waits || !inView || !Number(figure.dataset.computeMs) || prefersReducedMotion()) return;
     waits = false;
-    motion.arrive();
+    motion.startByItself();
   };
   const touched = () => {
     waits = false;
-    motion.touched();
+    motion.stopByTouch();
   };
   const observer = new IntersectionObserver(
     (entries) => {
@@ -162,7 +162,7 @@ export function moveInView(figure: HTMLElement, motion: Motion, signal: AbortSig
     },
     { threshold: [0, IN_VIEW] },
   );
-  observer.observe(one(figure, ".panels", HTMLElement));
+  observer.observe(find(figure, ".panels", HTMLElement));
   signal.addEventListener("abort", () => observer.disconnect());
   figure.addEventListener("painted", begin, { signal });
   for (const type of ["pointerdown", "keydown", "input", "change"]) {

@@ -32,15 +32,15 @@ export class Overlay {
   show(markup: string) {
     if (markup === this.#shown) return;
     scratch.innerHTML = markup;
-    makeInert(scratch, markup);
+    removeActive(scratch, markup);
     changeChildren(this.svg, scratch);
     scratch.replaceChildren();
     this.#shown = markup;
   }
 }
 
-/** Leave shapes, text and paint, as in `site_builder/checks/pictures.py`. */
-function makeInert(drawing: Element, markup: string) {
+/** Leave shapes, text and paint. */
+function removeActive(drawing: Element, markup: string) {
   const mayHandle = /\bon\w/i.test(markup);
   for (const element of drawing.querySelectorAll("*")) {
     const nested = element.matches(PAINT) && element.outerHTML.includes("url(");

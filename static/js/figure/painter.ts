@@ -1,9 +1,9 @@
 /**
- * Frames into the page. The first live frame takes the still's place in the same box, so
+ * Frames into the page. The first live frame takes the place of the initial frame in the same box, so
  * nothing moves. Only what differs from the frame before is written.
  */
 
-import { all, maybe, one } from "../page/dom.ts";
+import { findAll, findOptional, find } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { numeral, words } from "../page/words.ts";
 import type { Readout } from "../runtime/messages.ts";
@@ -19,29 +19,29 @@ interface Panel {
   pixelated: boolean;
 }
 
-export interface Meta {
+export interface FrameMeta {
   panels: Panel[];
   readouts: Readout[];
   description: string;
   handles: import("./handles.ts").Place[];
 }
 
-type Box = { view: HTMLElement; overlay: Overlay | null; title: Element | null };
+type PanelElements = { view: HTMLElement; overlay: Overlay | null; title: Element | null };
 
 export class Painter {
   /** By the panel's name. */
-  #boxes: Map<string, Box> = new Map();
+  #boxes: Map<string, PanelElements> = new Map();
   /** Each readout as it was written last. */
   #written: Map<string, string> = new Map();
 
   constructor(readonly figure: HTMLElement) {}
 
   /** @param rasters The pixels of the panels that have any, in their order. */
-  paint(meta: Meta, rasters: ArrayBuffer[]) {
+  paint(meta: FrameMeta, rasters: ArrayBuffer[]) {
     const pixels = rasters.values();
     for (const panel of meta.panels) {
       const { view, overlay, title } = this.#box(panel.name);
-      fit(view, panel);
+      fitPanel(view, panel);
       if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
       overlay?.show(panel.overlay);
       setText(title, panel.title);
@@ -52,8 +52,8 @@ export class Painter {
   #box(name: string) {
     let box = this.#boxes.get(name);
     if (!box) {
-      const panel = one(this.figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
-      const view = one(panel, ".panel-view", HTMLElement);
+      const panel = find(this.figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
+      const view = find(panel, ".panel-view", HTMLElement);
       const svg = view.querySelector("svg.overlay");
       box = { view, overlay: svg && new Overlay(svg), title: panel.querySelector(".panel-title") };
       this.#boxes.set(name, box);
@@ -70,8 +70,8 @@ export class Painter {
 }
 
 /** Give a panel the shape of what it shows: photographs of the reader's have their own. */
-function fit(view: HTMLElement, { width, height }: Panel) {
-  const svg = maybe(view, "svg.overlay", SVGSVGElement);
+function fitPanel(view: HTMLElement, { width, height }: Panel) {
+  const svg = findOptional(view, "svg.overlay", SVGSVGElement);
   const box = svg?.viewBox.baseVal;
   if (!svg || (box?.width === width && box.height === height)) return;
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
@@ -90,42 +90,43 @@ function paintRaster(
 ) {
   if (!pixels) throw new Error(words("figure.no_pixels", { panel: panel.name }));
   const image = new ImageData(new Uint8ClampedArray(pixels), width, height); // a view, no copy
-  const canvas = maybe(view, "canvas.live", HTMLCanvasElement) ?? document.createElement("canvas");
+  const canvas =
+    findOptional(view, "canvas.live", HTMLCanvasElement) ?? document.createElement("canvas");
   if (canvas.width !== width || canvas.height !== height) {
     canvas.width = width;
     canvas.height = height;
   }
   canvas.getContext("2d")?.putImageData(image, 0, 0);
   canvas.classList.toggle("pixelated", panel.pixelated);
-  if (!canvas.isConnected) putInPlace(view, canvas);
+  if (!canvas.isConnected) insertCanvas(view, canvas);
 }
 
 /**
  * Have the pixels of a figure's stills on canvases, as those of live frames are: they are the first.
  */
-export function takeStills(figure: HTMLElement) {
-  for (const still of all(figure, "img.still", HTMLImageElement)) {
+export function adoptInitialFrames(figure: HTMLElement) {
+  for (const initial of findAll(figure, "img.still", HTMLImageElement)) {
     const take = () => {
-      if (!still.parentElement || !still.naturalWidth) return;
+      if (!initial.parentElement || !initial.naturalWidth) return;
       const canvas = document.createElement("canvas");
-      [canvas.width, canvas.height] = [still.naturalWidth, still.naturalHeight];
-      canvas.getContext("2d")?.drawImage(still, 0, 0);
-      canvas.classList.toggle("pixelated", still.classList.contains("pixelated"));
-      putInPlace(still.parentElement, canvas);
+      [canvas.width, canvas.height] = [initial.naturalWidth, initial.naturalHeight];
+      canvas.getContext("2d")?.drawImage(initial, 0, 0);
+      canvas.classList.toggle("pixelated", initial.classList.contains("pixelated"));
+      insertCanvas(initial.parentElement, canvas);
     };
-    if (still.complete) take();
-    else still.addEventListener("load", take, { once: true });
+    if (initial.complete) take();
+    else initial.addEventListener("load", take, { once: true });
   }
 }
 
-function putInPlace(view: HTMLElement, canvas: HTMLCanvasElement) {
+function insertCanvas(view: HTMLElement, canvas: HTMLCanvasElement) {
   canvas.classList.add("live");
   const title = view.closest(".panel")?.querySelector(".panel-title");
-  const still = maybe(view, "img.still", HTMLImageElement);
+  const initial = findOptional(view, "img.still", HTMLImageElement);
   canvas.role = "img";
   if (title) canvas.setAttribute("aria-labelledby", title.id);
-  else canvas.setAttribute("aria-label", still?.alt ?? "");
-  if (still) still.replaceWith(canvas);
+  else canvas.setAttribute("aria-label", initial?.alt ?? "");
+  if (initial) initial.replaceWith(canvas);
   else view.prepend(canvas);
 }
 

@@ -9,8 +9,8 @@
  */
 
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
-import { all, data, one } from "../page/dom.ts";
-import { isArrived } from "../page/navigate.ts";
+import { findAll, data, find } from "../page/dom.ts";
+import { isAddressCurrent } from "../page/navigate.ts";
 import { words } from "../page/words.ts";
 import {
   type Control,
@@ -24,7 +24,7 @@ import {
 } from "./controls.ts";
 import { KINDS } from "./control_kinds.js";
 import { accuracyMenu } from "./levels.ts";
-import { say } from "./status.ts";
+import { showMessage } from "./status.ts";
 
 /** How many settings of an address that mean nothing are named, and how much of each. */
 const MOST_NAMED = 4;
@@ -36,7 +36,7 @@ export function settingsOf(figure: HTMLElement) {
   const { controls, values, tiers, tier } = schema;
   const accuracy = accuracyMenu(schema, words("figure.accuracy"));
   return {
-    form: one(figure, "form.controls", HTMLFormElement),
+    form: find(figure, "form.controls", HTMLFormElement),
     // A button that plays has no state worth keeping.
     controls: [...controls, ...(tiers.length ? [accuracy] : [])].filter(
       (control) => !isAction(control) || !control.drives,
@@ -110,14 +110,14 @@ export function record(
   const id = idOf(figure);
   if (!isEmbed() && url.search.includes(`${id}.`)) url.hash = id; // so that the address is the figure's link
   // A figure that has left with its page has nothing to say in the address of the next.
-  if (!figure.isConnected || !isArrived() || url.href === location.href) return;
+  if (!figure.isConnected || !isAddressCurrent() || url.href === location.href) return;
   if (entry === "replace") history.replaceState(history.state, "", url);
   else history.pushState({ ...history.state, scroll: Math.round(scrollY) }, "", url);
 }
 
 /** Bring every figure of the page to where the address says, or back to the page's start. */
 export function showAddress() {
-  for (const figure of all(document, "simulation-figure", HTMLElement)) arrive(figure);
+  for (const figure of findAll(document, "simulation-figure", HTMLElement)) arrive(figure);
 }
 
 /** Put the controls of a figure to where the address says, and the others to the page's start. */
@@ -155,8 +155,8 @@ function reportIgnored(figure: HTMLElement, ignored: string[]) {
     return text.length > LONGEST_NAME ? `${text.slice(0, LONGEST_NAME)}…` : text;
   });
   if (ignored.length > MOST_NAMED) named.push("…");
-  say(figure, words("figure.ignored", { settings: named.join(", ") }), { lasting: true });
-  figure.addEventListener("input", () => say(figure, ""), { once: true });
+  showMessage(figure, words("figure.ignored", { settings: named.join(", ") }), { lasting: true });
+  figure.addEventListener("input", () => showMessage(figure, ""), { once: true });
 }
 
 function idOf(figure: HTMLElement) {

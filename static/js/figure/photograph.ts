@@ -15,7 +15,7 @@ export type Source = { name: string; file: Blob };
 export type Size = [number, number] | number;
 
 /** A file's picture, to be closed after use; of a raw file with what the decoder says of it. */
-export interface Opened {
+export interface DecodedPicture {
   bitmap: ImageBitmap;
   /** Before it was scaled down. */
   full: [width: number, height: number];
@@ -24,20 +24,20 @@ export interface Opened {
 }
 
 /** What is wanted of a file; of a raw one, its cells or a picture of some megapixels. */
-export interface Wanted {
+export interface DecodeOptions {
   mosaic: boolean;
   megapixels: number;
   /** Whether the codes of a PNG are measured, so that a profile or gamma in it changes nothing. */
   measured: boolean;
   /** Reports what takes time. */
-  say: (text: string) => void;
+  report: (text: string) => void;
 }
 
 /** Larger files, and pictures of more pixels, are refused before they fill the memory. */
 const LARGEST_MB = 60;
 const LARGEST_MEGAPIXELS = 120;
 /** How much of a side may be cut off without a word. */
-const UNSEEN = 0.01;
+const UNSEEN_CROP = 0.01;
 /** A side of fewer pixels shows nothing worth a lens. */
 const SMALLEST_PX = 16;
 /** Bytes at the beginning of a file in which a camera says how it took the picture. */
@@ -46,47 +46,52 @@ const HEAD = 1024 * 1024;
 const THUMBNAIL_PX = 192;
 
 let pictures = 0;
-/** Ends when all acts of `inTurn` have. */
+/** Ends when all acts of `runInTurn` have. */
 let turn: Promise<unknown> = Promise.resolve();
 
 /** A number that no other picture has. */
-export function nextNumber() {
+export function nextPictureNumber() {
   return ++pictures;
 }
 
 /** A picture at a scene's size, or an error that says what is wrong and what would do. */
-export function decode(source: Source, number: number, size: Size): Promise<Picture> {
+export function decodePicture(source: Source, number: number, size: Size): Promise<Picture> {
   const megapixels = typeof size === "number" ? size : (size[0] * size[1]) / 1e6;
   const measured = typeof size === "number";
-  const wanted = { mosaic: false, megapixels, measured, say: () => {} };
-  return inTurn(async () => await take(source, await open(source, wanted), number, size));
+  const wanted = { mosaic: false, megapixels, measured, report: () => {} };
+  return runInTurn(
+    async () => await toPicture(source, await decodeFile(source, wanted), number, size),
+  );
 }
 
 /** A page opens, or reads, one picture after another: each takes much memory. */
-export function inTurn<T>(act: () => Promise<T>): Promise<T> {
+export function runInTurn<T>(act: () => Promise<T>): Promise<T> {
   const done = turn.then(act);
   turn = done.catch(() => {});
   return done;
 }
 
 /** A file's picture, to be closed or sent away, or an error with words for the reader. */
-export async function open(source: Source, { say, measured, ...wanted }: Wanted): Promise<Opened> {
+export async function decodeFile(
+  source: Source,
+  { report, measured, ...wanted }: DecodeOptions,
+): Promise<DecodedPicture> {
   const { name, file } = source;
   if (await isRaw(file)) {
     const { openRaw } = await import("../raw/raw_file.ts");
-    const picture = await openRaw(name, { file, ...wanted }, say);
+    const picture = await openRaw(name, { file, ...wanted }, report);
     if (picture) return picture;
-    return await openCoded(source, "raw.unknown", measured); // some browsers know more kinds
+    return await decodeByBrowser(source, "raw.unknown", measured); // some browsers know more kinds
   }
-  return await openCoded(source, "photograph.unreadable", measured);
+  return await decodeByBrowser(source, "photograph.unreadable", measured);
 }
 
 /** Decode by the browser itself. */
-async function openCoded(
+async function decodeByBrowser(
   { name, file }: Source,
   refusal: "raw.unknown" | "photograph.unreadable",
   measured: boolean,
-): Promise<Opened> {
+): Promise<DecodedPicture> {
   const mb = file.size / 1e6;
   if (mb > LARGEST_MB) {
     const sizes = { size: mb.toFixed(0), most: LARGEST_MB };
@@ -109,13 +114,13 @@ async function openCoded(
 }
 
 /** An open picture to be sent to Python, and what that must know of it. */
-export async function take(
+export async function toPicture(
   { name, file }: Source,
-  { bitmap, full, facts, mosaic }: Opened,
+  { bitmap, full, facts, mosaic }: DecodedPicture,
   number: number,
   size: Size,
 ): Promise<Picture> {
-  const [width, height] = typeof size === "number" ? fitted(bitmap, size) : size;
+  const [width, height] = typeof size === "number" ? sizeWithin(bitmap, size) : size;
   return {
     number,
     name,
@@ -132,7 +137,7 @@ export async function take(
 
 /** Whether only the middle of a picture is shown, as its shape is another. */
 export function isCropped({ width, height, full_width, full_height }: Picture) {
-  return Math.abs(Math.log((full_width * height) / (full_height * width))) > UNSEEN;
+  return Math.abs(Math.log((full_width * height) / (full_height * width))) > UNSEEN_CROP;
 }
 
 /** A small JPEG of an open picture. */
@@ -196,7 +201,7 @@ function refuseSize(name: string, { width, height }: { width: number; height: nu
 }
 
 /** The picture's own size, unless that is too many pixels. */
-function fitted({ width, height }: ImageBitmap, most: number) {
+function sizeWithin({ width, height }: ImageBitmap, most: number) {
   const scale = Math.min(1, Math.sqrt((most * 1e6) / (width * height)));
   return [Math.max(1, Math.floor(width * scale)), Math.max(1, Math.floor(height * scale))];
 }

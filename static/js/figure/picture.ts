@@ -3,7 +3,7 @@
  * colours of the theme that the reader sees and the fonts of the page in them.
  */
 
-import { all, maybe, one } from "../page/dom.ts";
+import { findAll, findOptional, find } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 
 /** Pixels of the file for each pixel of the page. */
@@ -29,12 +29,12 @@ const PROPERTIES = [
   "vector-effect",
 ];
 
-export async function pictureOf(
+export async function panelFile(
   panel: HTMLElement,
 ): Promise<{ blob: Blob; suffix: "svg" | "png" }> {
-  const view = one(panel, ".panel-view", HTMLElement);
-  const pixels = maybe(view, "canvas, img", HTMLElement);
-  const drawing = await standalone(one(view, "svg.overlay", SVGSVGElement), view);
+  const view = find(panel, ".panel-view", HTMLElement);
+  const pixels = findOptional(view, "canvas, img", HTMLElement);
+  const drawing = await standalone(find(view, "svg.overlay", SVGSVGElement), view);
   if (pixels) return { blob: await flattened(view, pixels, drawing), suffix: "png" };
   const ground = document.createElementNS(drawing.namespaceURI, "rect");
   ground.setAttribute("width", "100%");
@@ -50,8 +50,8 @@ async function standalone(svg: SVGSVGElement, view: HTMLElement) {
   const copies = [copy, ...copy.querySelectorAll("*")];
   for (const [index, original] of [svg, ...svg.querySelectorAll("*")].entries()) {
     const styles = getComputedStyle(original);
-    const said = PROPERTIES.map((name) => `${name}:${styles.getPropertyValue(name)}`);
-    copies[index].setAttribute("style", said.join(";"));
+    const styling = PROPERTIES.map((name) => `${name}:${styles.getPropertyValue(name)}`);
+    copies[index].setAttribute("style", styling.join(";"));
     copies[index].removeAttribute("class");
   }
   copy.style.filter = getComputedStyle(svg).filter;
@@ -66,7 +66,7 @@ async function standalone(svg: SVGSVGElement, view: HTMLElement) {
 
 /** The font faces of a drawing's texts, each with its outlines in it. */
 async function fontsOf(svg: SVGSVGElement): Promise<string> {
-  const texts = all(svg, "text, tspan", SVGElement).map((text) => getComputedStyle(text));
+  const texts = findAll(svg, "text, tspan", SVGElement).map((text) => getComputedStyle(text));
   const faces = [...document.styleSheets]
     .flatMap((sheet) => [...sheet.cssRules])
     .filter((rule) => rule instanceof CSSFontFaceRule)
@@ -78,10 +78,10 @@ async function fontsOf(svg: SVGSVGElement): Promise<string> {
           style.getPropertyValue("font-weight").split(" ").includes(text.fontWeight),
       ),
     );
-  return (await Promise.all(faces.map(embedded))).join("\n");
+  return (await Promise.all(faces.map(withEmbeddedFont))).join("\n");
 }
 
-async function embedded({ cssText, parentStyleSheet }: CSSFontFaceRule) {
+async function withEmbeddedFont({ cssText, parentStyleSheet }: CSSFontFaceRule) {
   const address = /url\("?([^")]+)"?\)/.exec(cssText);
   if (!address) return cssText;
   const font = await fetch(new URL(address[1], parentStyleSheet?.href ?? location.href));

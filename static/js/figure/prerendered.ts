@@ -5,22 +5,22 @@
  */
 
 import { savesData } from "../page/data_saver.ts";
-import { element, maybe, one } from "../page/dom.ts";
+import { element, findOptional, find } from "../page/dom.ts";
 import { formatValue, setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { readValues, type Schema, type Value } from "./controls.ts";
 import type { Place } from "./handles.ts";
-import type { Meta, Painter } from "./painter.ts";
+import type { FrameMeta, Painter } from "./painter.ts";
 
-type Frame = Meta & { value: Value; pictures: Record<string, string> };
+type Frame = FrameMeta & { value: Value; pictures: Record<string, string> };
 
 type Frames = { control: string; frames: Frame[] };
 
-const HINTS = ["pointerenter", "focusin", "touchstart"];
+const POINTING_EVENTS = ["pointerenter", "focusin", "touchstart"];
 const SLOW = ["slow-2g", "2g", "3g"];
 /** Milliseconds from a click to this script, from which a device is slow. */
-const LATE = 1500;
+const LATE_MS = 1500;
 
 const begun = performance.now();
 
@@ -32,29 +32,29 @@ export class Prerendered {
 
   /**
    * @param painter The figure's.
-   * @param place Called with the handles of a frame that is shown.
+   * @param placeHandles Called with the handles of a frame that is shown.
    */
   constructor(
     readonly painter: Painter,
     readonly form: HTMLFormElement,
     readonly schema: Schema,
-    readonly place: (handles: Place[]) => void,
+    readonly placeHandles: (handles: Place[]) => void,
   ) {
     const { figure } = painter;
     this.figure = figure;
     const { signal } = this.#listeners;
     if (!figure.dataset.prerendered) return;
     const options = { signal, once: true, passive: true };
-    for (const kind of HINTS) figure.addEventListener(kind, () => this.#fetch(), options);
-    form.addEventListener("input", () => this.#follow(), { signal });
-    form.addEventListener("change", () => this.#follow(), { signal });
+    for (const kind of POINTING_EVENTS) figure.addEventListener(kind, () => this.#fetch(), options);
+    form.addEventListener("input", () => this.#showNearest(), { signal });
+    form.addEventListener("change", () => this.#showNearest(), { signal });
   }
 
   /** The figure is near the window; its controls may have been moved before any script ran. */
   near() {
     if (!this.figure.dataset.prerendered || this.#listeners.signal.aborted) return;
     const [values, initial] = [readValues(this.form, this.schema.controls), this.schema.values];
-    if (Object.keys(initial).some((name) => values[name] !== initial[name])) this.#follow();
+    if (Object.keys(initial).some((name) => values[name] !== initial[name])) this.#showNearest();
     else if (isSlow()) this.#fetch();
   }
 
@@ -62,11 +62,11 @@ export class Prerendered {
   end() {
     this.#listeners.abort();
     delete this.figure.dataset.early;
-    maybe(this.figure, ".early-mark", HTMLElement)?.remove();
+    findOptional(this.figure, ".early-mark", HTMLElement)?.remove();
   }
 
   /** Show the frame nearest to the form's values, where no other control has been moved. */
-  async #follow() {
+  async #showNearest() {
     const found = await this.#fetch();
     if (!found || this.#listeners.signal.aborted) return;
     const values = readValues(this.form, this.schema.controls);
@@ -82,12 +82,12 @@ export class Prerendered {
     const drawings = frame.panels.map((panel) => ({ ...panel, raster: null }));
     this.painter.paint({ ...frame, panels: drawings }, []);
     for (const [name, address] of Object.entries(frame.pictures)) {
-      const panel = one(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
-      const still = maybe(panel, "img.still", HTMLImageElement);
-      if (still) still.src = address;
+      const panel = find(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
+      const initial = findOptional(panel, "img.still", HTMLImageElement);
+      if (initial) initial.src = address;
     }
-    this.place(frame.handles);
-    setText(one(figure, ".description", HTMLElement), frame.description);
+    this.placeHandles(frame.handles);
+    setText(find(figure, ".description", HTMLElement), frame.description);
     this.#mark(words("figure.early", { setting: this.#setting(control, frame.value) }));
     figure.dataset.early = String(frame.value);
   }
@@ -99,10 +99,10 @@ export class Prerendered {
   }
 
   #mark(text: string) {
-    let mark = maybe(this.figure, ".early-mark", HTMLElement);
+    let mark = findOptional(this.figure, ".early-mark", HTMLElement);
     if (!mark) {
       mark = element("p", "early-mark box fine");
-      one(this.figure, ".panel", HTMLElement).append(mark);
+      find(this.figure, ".panel", HTMLElement).append(mark);
     }
     mark.textContent = text;
   }
@@ -127,5 +127,5 @@ function nearest(frames: Frame[], value: Value): Frame | undefined {
 /** Whether the link or the device is slow; some browsers say nothing of the link. */
 function isSlow() {
   const { connection } = navigator as { connection?: any };
-  return !savesData() && (begun > LATE || SLOW.includes(connection?.effectiveType));
+  return !savesData() && (begun > LATE_MS || SLOW.includes(connection?.effectiveType));
 }

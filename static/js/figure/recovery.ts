@@ -3,14 +3,14 @@
  * the reader or the network asks.
  */
 
-import { stopSparing } from "../page/data_saver.ts";
-import { all } from "../page/dom.ts";
+import { allowStart } from "../page/data_saver.ts";
+import { findAll } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { RuntimeFailure, type Caller } from "../runtime/runtime.ts";
-import { say } from "./status.ts";
+import { showMessage } from "./status.ts";
 
 /** Seconds after which a figure says what it waits for, and after which it offers another try. */
-const SAID_AFTER = 4;
+const REPORTED_AFTER = 4;
 const OFFERED_AFTER = 16;
 
 /**
@@ -20,15 +20,18 @@ const OFFERED_AFTER = 16;
  * @param isNear Whether the reader may see the figure.
  * @returns Ends it.
  */
-export function sayWhatIsAwaited(figure: HTMLElement, runtime: Caller, isNear: () => boolean) {
+export function reportWaiting(figure: HTMLElement, runtime: Caller, isNear: () => boolean) {
   let ticks = 0;
   const timer = setInterval(() => {
     ticks += 1;
-    if (ticks < SAID_AFTER || !isNear()) return;
+    if (ticks < REPORTED_AFTER || !isNear()) return;
     const isOffered = ticks >= OFFERED_AFTER;
     if (figure.querySelector(".figure-status.lasting") && !isOffered) return;
-    const { what, file } = runtime.awaits;
-    say(figure, words(`figure.awaits_${what}`, { file }), { waiting: true, retry: isOffered });
+    const { what, file } = runtime.waitsFor;
+    showMessage(figure, words(`figure.awaits_${what}`, { file }), {
+      waiting: true,
+      retry: isOffered,
+    });
   }, 1000);
   return () => clearInterval(timer);
 }
@@ -71,8 +74,8 @@ export async function attemptTwice(
 }
 
 /** The reader has asked for Python in one figure: all start. */
-export function beginAll() {
-  stopSparing();
+export function startAll() {
+  allowStart();
   callAll("waiting", "begin");
 }
 
@@ -82,7 +85,7 @@ export function retryAll() {
 }
 
 function callAll(state: "waiting" | "failed", method: "begin" | "retry") {
-  for (const figure of all(document, `simulation-figure[data-state="${state}"]`, HTMLElement)) {
+  for (const figure of findAll(document, `simulation-figure[data-state="${state}"]`, HTMLElement)) {
     (figure as any)[method]();
   }
 }

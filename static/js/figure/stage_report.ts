@@ -4,21 +4,21 @@
  * is open.
  */
 
-import { message } from "../errors.ts";
-import { all, maybe } from "../page/dom.ts";
+import { errorText } from "../errors.ts";
+import { findAll, findOptional } from "../page/dom.ts";
 import { setText, withUnit } from "../page/text.ts";
-import { inWords, numberTyped, numeral, words, type Said } from "../page/words.ts";
+import { messageText, parseNumber, numeral, words, type Message } from "../page/words.ts";
 import type { Readout } from "../runtime/messages.ts";
 import type { FigureLevels } from "./levels.ts";
 
 export type Stage = { name: string; status: "computed" | "reused" | "skipped"; reason: Reason };
 
 /** A scene's own words, or the engine's. */
-type Reason = string | Said[];
+type Reason = string | Message[];
 
 type Estimate = Pick<Readout, "name" | "label" | "text" | "unit">;
 /** Control values, level, and which picture of the reader's. */
-type Shown = { values: string; tier: string; own: string };
+type MeasuredFrame = { values: string; tier: string; pictures: string };
 
 /** What was shown while something moved, how long it took, and what the next level would take. */
 export type Moving = {
@@ -29,7 +29,7 @@ export type Moving = {
 };
 
 /** Steps of an estimate after which it is trusted as far as a factor of two. */
-const TRUSTED = 4;
+const TRUSTED_AFTER = 4;
 
 /** Milliseconds without a new frame after which the error is measured. */
 const REST = 400;
@@ -41,12 +41,12 @@ function milliseconds(ms: number) {
 }
 
 export function showStages(figure: HTMLElement, stages: Stage[]) {
-  const list = maybe(figure, ".stages > ol", HTMLOListElement);
+  const list = findOptional(figure, ".stages > ol", HTMLOListElement);
   const first = list?.firstElementChild;
   if (!list || !first) return;
   while (list.children.length < stages.length) list.append(first.cloneNode(true));
   // A frame that refuses its values has no stages: its items wait for the next one.
-  for (const [index, item] of all(list, ":scope > li", HTMLLIElement).entries()) {
+  for (const [index, item] of findAll(list, ":scope > li", HTMLLIElement).entries()) {
     item.hidden = index >= stages.length;
     if (item.hidden) continue;
     const { name, status, reason } = stages[index];
@@ -60,11 +60,11 @@ export function showStages(figure: HTMLElement, stages: Stage[]) {
 
 /** Why a stage was computed or not, as the builder writes it. */
 export function reasonText(reason: Reason) {
-  return [reason].flat().map(inWords).join("; ");
+  return [reason].flat().map(messageText).join("; ");
 }
 
 /** `4 computed, 8 reused, 1 skipped`, as the builder writes it. */
-export function countStages(stages: Stage[]) {
+function countStages(stages: Stage[]) {
   const count = (status: string) => stages.filter((stage) => stage.status === status).length;
   const [computed, reused, skipped] = ["computed", "reused", "skipped"].map(count);
   return words("stage_report.count", { computed, reused, skipped });
@@ -73,11 +73,11 @@ export function countStages(stages: Stage[]) {
 /** The line with error and time under a figure that has a reference. */
 export class Accuracy {
   /** What is shown and not yet measured. */
-  #waiting: Shown | null = null;
+  #waiting: MeasuredFrame | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #near = false;
   /** What the picture shows of estimates: each was written into the elements of its name. */
-  #told: Map<string, string> = new Map();
+  #written: Map<string, string> = new Map();
   /** A figure's first frame also waits for its code to be loaded, and says so. */
   #frames = 0;
 
@@ -88,26 +88,29 @@ export class Accuracy {
   readonly report: HTMLDetailsElement | null;
 
   /**
-   * @param ask The next estimate for a frame; null where there is no better one.
-   * @param found Called once the cheapest level within the reader's tolerance is known.
+   * @param nextEstimate The next estimate for a frame; null where there is no better one.
+   * @param onFound Called once the cheapest level within the reader's tolerance is known.
    */
   constructor(
     readonly figure: HTMLElement,
     readonly levels: FigureLevels,
-    readonly ask: (shown: Shown, urgency: () => number) => Promise<Estimate | null>,
-    readonly found: () => void,
+    readonly nextEstimate: (
+      shown: MeasuredFrame,
+      urgency: () => number,
+    ) => Promise<Estimate | null>,
+    readonly onFound: () => void,
   ) {
-    this.line = maybe(figure, ".accuracy", HTMLElement);
-    this.report = maybe(figure, "details.stage-report", HTMLDetailsElement);
+    this.line = findOptional(figure, ".accuracy", HTMLElement);
+    this.report = findOptional(figure, "details.stage-report", HTMLDetailsElement);
     this.report?.addEventListener("toggle", () => this.#rest());
   }
 
   /** A frame was painted; frames of other levels than the one at rest are not measured. */
-  shown(shown: Shown, ms: number) {
+  framePainted(shown: MeasuredFrame, ms: number) {
     this.#writeMoving();
-    if (!this.line && !this.#times) return;
+    if (!this.line && !this.#hasTimes) return;
     this.stop();
-    for (const [name, text] of this.#told) this.#tell(name, text);
+    for (const [name, text] of this.#written) this.#writeInPicture(name, text);
     this.#frames += 1;
     this.#set("frame", words(this.#frames > 1 ? "stage_report.frame" : "stage_report.first_frame"));
     this.#set("ms", milliseconds(ms));
@@ -125,11 +128,11 @@ export class Accuracy {
   }
 
   get #isSeen() {
-    return this.#near && (this.report?.open || this.#times);
+    return this.#near && (this.report?.open || this.#hasTimes);
   }
 
   /** Whether the picture has room for times. */
-  get #times() {
+  get #hasTimes() {
     return !!this.figure.querySelector("[data-estimate]");
   }
 
@@ -147,11 +150,11 @@ export class Accuracy {
   }
 
   /** The error of the frame, of what was shown while it moved, and of cheaper levels. */
-  async #measure(shown: Shown) {
+  async #measure(shown: MeasuredFrame) {
     try {
       if (this.#isSeen) {
         await this.#estimate(shown, (estimate) => {
-          if (!this.#tell(estimate.name, estimate.text)) this.#write(estimate);
+          if (!this.#writeInPicture(estimate.name, estimate.text)) this.#write(estimate);
           return this.#isSeen;
         });
         if (!this.#isSeen) return;
@@ -163,7 +166,7 @@ export class Accuracy {
     } catch (error) {
       if (this.#waiting !== shown) return;
       this.#waiting = null;
-      const text = words("stage_report.not_measured", { reason: message(error) });
+      const text = words("stage_report.not_measured", { reason: errorText(error) });
       this.#write({ name: "", label: words("stage_report.error"), text, unit: "" });
     }
   }
@@ -173,16 +176,16 @@ export class Accuracy {
    *
    * @param use Returns whether a better one is wanted.
    */
-  async #estimate(shown: Shown, use: (estimate: Estimate) => boolean | undefined) {
+  async #estimate(shown: MeasuredFrame, use: (estimate: Estimate) => boolean | undefined) {
     const waiting = this.#waiting;
     for (;;) {
-      const estimate = await this.ask(shown, URGENCY);
+      const estimate = await this.nextEstimate(shown, URGENCY);
       if (this.#waiting !== waiting) throw new Error("another frame is shown");
       if (!estimate || !use(estimate)) return;
     }
   }
 
-  async #judgeMoving(shown: Shown) {
+  async #judgeMoving(shown: MeasuredFrame) {
     const moving = this.levels.report;
     if (!moving || !this.line || moving.tier === shown.tier) return;
     await this.#estimate({ ...shown, tier: moving.tier }, (estimate) => {
@@ -192,9 +195,9 @@ export class Accuracy {
   }
 
   /** The cheapest level within the error that the reader allows; where none is, the most accurate. */
-  async #search(shown: Shown) {
+  async #search(shown: MeasuredFrame) {
     const { tolerance, schema } = this.levels;
-    const search = `${shown.values} ${shown.own} ${tolerance}`;
+    const search = `${shown.values} ${shown.pictures} ${tolerance}`;
     if (tolerance === undefined || search === this.#searched) return;
     let within = schema.tiers[schema.tiers.length - 1];
     for (const tier of schema.tiers) {
@@ -204,23 +207,23 @@ export class Accuracy {
     }
     this.#searched = search;
     this.levels.within = within;
-    this.found();
+    this.onFound();
   }
 
-  async #isWithin(shown: Shown, most: number) {
+  async #isWithin(shown: MeasuredFrame, most: number) {
     let [error, steps] = [Infinity, 0];
     await this.#estimate(shown, ({ text, unit }) => {
       if (!unit) return true;
-      error = numberTyped(text.replace("under ", ""));
+      error = parseNumber(text.replace("under ", ""));
       steps += 1;
-      return steps < TRUSTED || (error > most / 2 && error < 2 * most);
+      return steps < TRUSTED_AFTER || (error > most / 2 && error < 2 * most);
     });
     return error <= most;
   }
 
   /** `While you drag: 200 columns, 14 ms; 400 columns would take 52 ms on this device.` */
   #writeMoving(error?: Estimate) {
-    const line = maybe(this.figure, ".moving", HTMLElement);
+    const line = findOptional(this.figure, ".moving", HTMLElement);
     const moving = this.levels.report;
     if (!line || !moving) return;
     const { better } = moving;
@@ -241,10 +244,10 @@ export class Accuracy {
   }
 
   /** Write a number where the picture has room for it. */
-  #tell(name: string, text: string) {
+  #writeInPicture(name: string, text: string) {
     const places = this.figure.querySelectorAll(`[data-estimate="${CSS.escape(name)}"]`);
     for (const place of places) setText(place, numeral(text));
-    if (places.length) this.#told.set(name, text);
+    if (places.length) this.#written.set(name, text);
     return places.length > 0;
   }
 

@@ -6,9 +6,9 @@
  * later than two display frames; `data-level` is the level of accuracy of the frame that is shown.
  */
 
-import { message } from "../errors.ts";
-import { startSurvived } from "../page/data_saver.ts";
-import { one } from "../page/dom.ts";
+import { errorText } from "../errors.ts";
+import { clearStartCount } from "../page/data_saver.ts";
+import { find } from "../page/dom.ts";
 import { offerRelease } from "../page/release.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
@@ -21,7 +21,7 @@ import { RuntimeFailure } from "../runtime/runtime.ts";
  * @param options Whether to offer another try, or to start Python at all; whether the message is no
  *   failure, and stays when a frame comes, or is of a frame that is awaited.
  */
-export function say(
+export function showMessage(
   figure: HTMLElement,
   message: string,
   {
@@ -31,18 +31,18 @@ export function say(
     waiting = false,
   }: { retry?: boolean; begin?: boolean; lasting?: boolean; waiting?: boolean } = {},
 ) {
-  const status = one(figure, ".figure-status", HTMLElement);
-  setText(one(figure, ".figure-message", HTMLElement), message);
+  const status = find(figure, ".figure-status", HTMLElement);
+  setText(find(figure, ".figure-message", HTMLElement), message);
   status.hidden = !message;
   status.classList.toggle("lasting", lasting);
   status.classList.toggle("waiting", waiting);
-  one(figure, ".retry", HTMLButtonElement).hidden = !retry;
-  one(figure, ".begin", HTMLButtonElement).hidden = !begin;
+  find(figure, ".retry", HTMLButtonElement).hidden = !retry;
+  find(figure, ".begin", HTMLButtonElement).hidden = !begin;
 }
 
 /** A frame has come: what was said of the lack of one is over. */
 export function clearFailure(figure: HTMLElement) {
-  if (!figure.querySelector(".figure-status.lasting")) say(figure, "");
+  if (!figure.querySelector(".figure-status.lasting")) showMessage(figure, "");
 }
 
 /** @param job Its tier, and the time of the event that it answers. */
@@ -61,7 +61,7 @@ export function showLive(
   figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
   if (figure.dataset.state !== "live") {
     figure.dataset.state = "live";
-    startSurvived();
+    clearStartCount();
   }
   figure.dispatchEvent(new Event("painted"));
 }
@@ -70,7 +70,7 @@ export function showFailure(figure: HTMLElement, error: unknown) {
   figure.dataset.state = "failed";
   const { kind, loadError = "" } = error instanceof RuntimeFailure ? error : { kind: "page" };
   if (["status", "other"].includes(loadError)) offerRelease();
-  say(figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
+  showMessage(figure, words(`figure.${kind}`, { reason: errorText(error) }), { retry: true });
   figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
 }
 

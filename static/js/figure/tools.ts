@@ -1,17 +1,17 @@
 /** What can be done with a figure as a whole: the row of buttons below it. */
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
-import { message } from "../errors.ts";
-import { all, csv, data, download, maybe, one } from "../page/dom.ts";
+import { errorText } from "../errors.ts";
+import { findAll, csv, data, download, findOptional, find } from "../page/dom.ts";
 import { fromNumeral, words } from "../page/words.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
-import { glide, jump } from "./animate.ts";
+import { glideTo, recordJump } from "./animate.ts";
 import { readValues } from "./controls.ts";
 import { embedding, permalink, settingsOf } from "./permalink.ts";
-import { pictureOf } from "./picture.ts";
+import { panelFile } from "./picture.ts";
 
 /** How long it is said that something was copied or saved. */
-const SAID_MS = 6000;
+const REPORT_MS = 6000;
 
 type Tool = (figure: HTMLElement, button: HTMLButtonElement) => unknown;
 
@@ -32,24 +32,24 @@ const TOOLS: Record<string, Tool> = {
 };
 
 /** Do what a button of the row says. */
-export async function use(button: HTMLButtonElement) {
+export async function runTool(button: HTMLButtonElement) {
   const figure = button.closest("simulation-figure");
   const name = Object.keys(TOOLS).find((tool) => tool in button.dataset);
   if (!(figure instanceof HTMLElement) || !name) return;
   report(figure, "");
-  one(figure, ".copied", HTMLTextAreaElement).hidden = true;
+  find(figure, ".copied", HTMLTextAreaElement).hidden = true;
   try {
     await TOOLS[name](figure, button);
   } catch (error) {
-    report(figure, words("tools.failed", { reason: message(error) }));
+    report(figure, words("tools.failed", { reason: errorText(error) }));
   }
 }
 
 /** Back to where the page put it. */
 function reset(figure: HTMLElement) {
   const { start } = settingsOf(figure);
-  jump(figure, start);
-  glide(figure, start);
+  recordJump(figure, start);
+  glideTo(figure, start);
 }
 
 async function fullScreen(figure: HTMLElement, button: HTMLButtonElement) {
@@ -81,7 +81,7 @@ async function copyPython(figure: HTMLElement) {
   const notes = [
     words("script.title", { title }),
     ...(edited ? [words("script.edited")] : []),
-    ...(own ? [words("script.own_picture")] : []),
+    ...(own ? [words("script.reader_picture")] : []),
     words("script.needs"),
   ];
   const { script } = await runtime.call("script", {
@@ -96,8 +96,8 @@ async function copyPython(figure: HTMLElement) {
 
 async function savePanel(figure: HTMLElement, button: HTMLButtonElement) {
   const name = button.dataset.savePanel ?? "";
-  const panel = one(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
-  const { blob, suffix } = await pictureOf(panel);
+  const panel = find(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
+  const { blob, suffix } = await panelFile(panel);
   save(figure, `${name}.${suffix}`, blob);
 }
 
@@ -107,7 +107,7 @@ async function copy(figure: HTMLElement, text: string, done: string) {
     await navigator.clipboard.writeText(text);
     report(figure, done);
   } catch {
-    const field = one(figure, ".copied", HTMLTextAreaElement);
+    const field = find(figure, ".copied", HTMLTextAreaElement);
     field.value = text;
     field.hidden = false;
     field.select();
@@ -123,11 +123,11 @@ function save(figure: HTMLElement, name: string, content: BlobPart, type?: strin
 
 /** Say what was done, for some seconds. */
 function report(figure: HTMLElement, text: string) {
-  const line = maybe(figure, ".tools-said", HTMLElement);
+  const line = findOptional(figure, ".tools-status", HTMLElement);
   if (!line) return;
   clearTimeout(Number(line.dataset.timer));
   line.textContent = text;
-  line.dataset.timer = String(setTimeout(() => (line.textContent = ""), SAID_MS));
+  line.dataset.timer = String(setTimeout(() => (line.textContent = ""), REPORT_MS));
 }
 
 /**
@@ -140,7 +140,7 @@ function numbersOf(figure: HTMLElement) {
     const unit = isSlider(control) ? control.unit : "";
     return ["setting", control.name, control.label, String(values[control.name]), unit];
   });
-  const readouts = all(figure, "output", HTMLOutputElement).flatMap(readoutRows);
+  const readouts = findAll(figure, "output", HTMLOutputElement).flatMap(readoutRows);
   return csv([["kind", "name", "label", "value", "unit"], ...settings, ...readouts]);
 }
 

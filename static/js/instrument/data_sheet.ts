@@ -1,7 +1,7 @@
 /** What the instruments of a page have measured of the reader's camera, gathered on one sheet. */
 
-import { all, download, one } from "../page/dom.ts";
-import { recall, remember } from "../page/storage.ts";
+import { findAll, download, find } from "../page/dom.ts";
+import { loadItem, saveItem } from "../page/storage.ts";
 import { withUnit } from "../page/text.ts";
 import { numeral } from "../page/words.ts";
 import type { Readout } from "../runtime/messages.ts";
@@ -18,7 +18,7 @@ interface Part {
 
 const CAMERA = "instrument-camera";
 /** Instruments whose file another one measures with: the lens, and the tone curve. */
-const GIVEN = [
+const INPUTS = [
   { from: "calibration", file: "camera-and-poses", to: "single-view" },
   { from: "photon-transfer", file: "sensor", to: "slanted-edge" },
 ];
@@ -38,19 +38,19 @@ export class DataSheet {
     readonly box: HTMLElement,
     readonly instruments: Instrument[],
   ) {
-    this.name = one(box, ".data-sheet-name", HTMLInputElement);
-    this.name.value ||= recall(CAMERA) ?? "";
-    this.name.onchange = () => remember(CAMERA, this.name.value || null);
+    this.name = find(box, ".data-sheet-name", HTMLInputElement);
+    this.name.value ||= loadItem(CAMERA) ?? "";
+    this.name.onchange = () => saveItem(CAMERA, this.name.value || null);
   }
 
   /** Show the present results, once the figures rest. */
   refresh() {
     clearTimeout(timer);
-    const own = setTimeout(async () => {
+    const request = setTimeout(async () => {
       const parts = await this.#parts();
-      if (own === timer) this.#show(parts); // else later ones are under way
+      if (request === timer) this.#show(parts); // else later ones are under way
     }, PAUSE);
-    timer = own;
+    timer = request;
   }
 
   press({ classList }: HTMLButtonElement) {
@@ -60,32 +60,34 @@ export class DataSheet {
 
   async #parts(): Promise<Part[]> {
     const used = this.instruments.filter(({ isUsed }) => isUsed);
-    for (const { from, file, to } of GIVEN) {
+    for (const { from, file, to } of INPUTS) {
       const user = used.find(({ scene }) => scene === to);
       if (user)
-        user.useFile(
-          await fileOf(
+        user.measureWith(
+          await exportedText(
             file,
             used.find(({ scene }) => scene === from),
           ),
         );
     }
-    return (await Promise.all(used.map(partOf))).filter((part) => part !== null);
+    return (await Promise.all(used.map(measuredPart))).filter((part) => part !== null);
   }
 
   #show(parts: Part[]) {
-    const { content } = one(this.box, "template", HTMLTemplateElement);
-    const shown = one(this.box, ".data-sheet-parts", HTMLElement);
-    const isOpen = all(shown, "details", HTMLDetailsElement).map(({ open }) => open);
-    shown.replaceChildren(...parts.map((part, at) => filled(content, part, isOpen[at] ?? false)));
-    one(this.box, ".data-sheet-empty", HTMLElement).hidden = parts.length > 0;
-    one(this.box, ".data-sheet-tools", HTMLElement).hidden = parts.length === 0;
-    one(this.box, "time", HTMLTimeElement).textContent = new Date().toLocaleDateString();
+    const { content } = find(this.box, "template", HTMLTemplateElement);
+    const shown = find(this.box, ".data-sheet-parts", HTMLElement);
+    const isOpen = findAll(shown, "details", HTMLDetailsElement).map(({ open }) => open);
+    shown.replaceChildren(
+      ...parts.map((part, at) => sectionOf(content, part, isOpen[at] ?? false)),
+    );
+    find(this.box, ".data-sheet-empty", HTMLElement).hidden = parts.length > 0;
+    find(this.box, ".data-sheet-tools", HTMLElement).hidden = parts.length === 0;
+    find(this.box, "time", HTMLTimeElement).textContent = new Date().toLocaleDateString();
   }
 
   /** Nothing of the page but the sheet. */
   #print() {
-    for (const fold of all(this.box, "details", HTMLDetailsElement)) fold.open = true;
+    for (const fold of findAll(this.box, "details", HTMLDetailsElement)) fold.open = true;
     document.body.classList.add("printing-sheet");
     addEventListener("afterprint", () => document.body.classList.remove("printing-sheet"), {
       once: true,
@@ -101,7 +103,7 @@ export class DataSheet {
 }
 
 /** What an instrument found, JSON; "" for nothing. */
-async function fileOf(name: string, instrument: Instrument | undefined): Promise<string> {
+async function exportedText(name: string, instrument: Instrument | undefined): Promise<string> {
   const live = instrument?.figure.live;
   const request = live && { ...live.request(), name };
   const made = request && (await live.runtime.call("export", request).catch(() => null));
@@ -109,7 +111,7 @@ async function fileOf(name: string, instrument: Instrument | undefined): Promise
 }
 
 /** What one instrument measured; null where it cannot say. */
-async function partOf(instrument: Instrument): Promise<Part | null> {
+async function measuredPart(instrument: Instrument): Promise<Part | null> {
   const { scene } = instrument;
   const { live } = instrument.figure;
   if (!live) return null;
@@ -123,29 +125,33 @@ async function partOf(instrument: Instrument): Promise<Part | null> {
 }
 
 /** The section of an instrument, copied from the template's. */
-function filled(content: DocumentFragment, { title, photographs, lines }: Part, isOpen: boolean) {
+function sectionOf(
+  content: DocumentFragment,
+  { title, photographs, lines }: Part,
+  isOpen: boolean,
+) {
   const section = content.cloneNode(true) as DocumentFragment;
   const [main, ...others] = lines;
   const ends = [...new Set([photographs[0], photographs.at(-1)])].join(" … ");
   const parts = ["h3", ".data-sheet-number", ".data-sheet-what", ".data-sheet-files"];
-  const value = shownValue(main);
+  const value = valueText(main);
   const measured = value.length > LONGEST ? ["–", `${main.label}: ${value}`] : [value, main.label];
   for (const [at, text] of [title, ...measured, ends].entries()) {
-    one(section, parts[at], HTMLElement).textContent = text;
+    find(section, parts[at], HTMLElement).textContent = text;
   }
-  const [conditions, rest] = all(section, "table", HTMLTableElement);
+  const [conditions, rest] = findAll(section, "table", HTMLTableElement);
   for (const [at, line] of others.entries()) {
     const row = (at < CONDITIONS ? conditions : rest).insertRow();
     const what = document.createElement("th");
     [what.scope, what.textContent] = ["row", line.label];
     row.append(what);
-    row.insertCell().textContent = shownValue(line);
+    row.insertCell().textContent = valueText(line);
   }
-  const fold = one(section, "details", HTMLDetailsElement);
+  const fold = find(section, "details", HTMLDetailsElement);
   [fold.open, fold.hidden] = [isOpen, rest.rows.length === 0];
   return section;
 }
 
-function shownValue({ text, unit }: Readout) {
+function valueText({ text, unit }: Readout) {
   return withUnit(numeral(text), unit);
 }

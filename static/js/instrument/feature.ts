@@ -1,8 +1,8 @@
 /** Instruments: what does the work is fetched when the first photograph comes in. */
 
 import { SimulationFigure } from "../figure/element.ts";
-import { all, maybe, one, within } from "../page/dom.ts";
-import { recall } from "../page/storage.ts";
+import { findAll, findOptional, find, closestTo } from "../page/dom.ts";
+import { loadItem } from "../page/storage.ts";
 import type { DataSheet } from "./data_sheet.ts";
 import type { Instrument } from "./instrument.ts";
 
@@ -11,8 +11,8 @@ const instruments: WeakMap<SimulationFigure, Promise<Instrument>> = new WeakMap(
 
 /** Called once. */
 export function install() {
-  document.addEventListener("click", clicked);
-  document.addEventListener("change", changed);
+  document.addEventListener("click", handleClick);
+  document.addEventListener("change", handleChange);
   document.addEventListener("dragover", (event) => {
     if (boxOf(event)) event.preventDefault(); // so that it can be dropped
   });
@@ -25,20 +25,21 @@ export function install() {
   });
   document.addEventListener("painted", refreshSheet, true);
   addEventListener("beforeunload", (event) => {
-    if (maybe(document, "[data-unsaved]", HTMLElement)) event.preventDefault(); // the browser asks
+    if (findOptional(document, "[data-unsaved]", HTMLElement)) event.preventDefault(); // the browser asks
   });
 }
 
 /** Called for each page. */
 export function arrive() {
-  for (const box of all(document, ".intake", HTMLElement)) {
+  for (const box of findAll(document, ".intake", HTMLElement)) {
     const scene = figureOf(box)?.dataset.simulation ?? "";
-    if (recall(`instrument:${scene}`)) instrumentOf(box).then((instrument) => instrument.restore());
+    if (loadItem(`instrument:${scene}`))
+      instrumentOf(box).then((instrument) => instrument.restore());
   }
 }
 
 function boxOf(event: Event) {
-  return within(event, ".intake", HTMLElement);
+  return closestTo(event, ".intake", HTMLElement);
 }
 
 function figureOf(inside: HTMLElement) {
@@ -46,33 +47,33 @@ function figureOf(inside: HTMLElement) {
   return figure instanceof SimulationFigure ? figure : null;
 }
 
-async function clicked(event: MouseEvent) {
-  const button = within(event, "button", HTMLButtonElement);
+async function handleClick(event: MouseEvent) {
+  const button = closestTo(event, "button", HTMLButtonElement);
   if (!button) return;
   const box = boxOf(event);
-  if (box) await pressed(box, button);
+  if (box) await runButton(box, button);
   else if (button.matches(".made-files button")) await makeFile(button);
-  else if (button.matches(".data-sheet button")) (await sheet())?.press(button);
+  else if (button.matches(".data-sheet button")) (await dataSheet())?.press(button);
 }
 
-async function pressed(box: HTMLElement, { classList }: HTMLButtonElement) {
+async function runButton(box: HTMLElement, { classList }: HTMLButtonElement) {
   if (classList.contains("intake-choose")) {
-    maybe(box, "input[type=file]", HTMLElement)?.click();
+    findOptional(box, "input[type=file]", HTMLElement)?.click();
     return;
   }
   const instrument = await instrumentOf(box);
-  if (/intake-(try|clear)/.test(classList.value)) one(box, ".intake-choose", HTMLElement).focus();
+  if (/intake-(try|clear)/.test(classList.value)) find(box, ".intake-choose", HTMLElement).focus();
   if (classList.contains("intake-try")) await instrument.addSamples();
   if (classList.contains("intake-stop")) instrument.stop();
   if (classList.contains("intake-go-on")) await instrument.work();
   if (classList.contains("intake-clear")) instrument.remove(instrument.photos);
 }
 
-async function changed(event: Event) {
-  const [box, input] = [boxOf(event), within(event, "input", HTMLInputElement)];
+async function handleChange(event: Event) {
+  const [box, input] = [boxOf(event), closestTo(event, "input", HTMLInputElement)];
   if (!box || !input) return;
   if (input.type === "checkbox") {
-    await (await instrumentOf(box)).keep(input.checked);
+    await (await instrumentOf(box)).setKeeping(input.checked);
   } else if (input.files) {
     const files = [...input.files];
     input.value = ""; // the same file may be chosen again
@@ -102,11 +103,11 @@ async function instrumentOf(box: HTMLElement): Promise<Instrument> {
   return found;
 }
 
-async function sheet(): Promise<DataSheet | null> {
-  const box = maybe(document, ".data-sheet", HTMLElement);
+async function dataSheet(): Promise<DataSheet | null> {
+  const box = findOptional(document, ".data-sheet", HTMLElement);
   if (!box) return null;
   const { DataSheet } = await import("./data_sheet.ts");
-  const figures = all(document, "simulation-figure", SimulationFigure);
+  const figures = findAll(document, "simulation-figure", SimulationFigure);
   const used = await Promise.all(figures.map((figure) => instruments.get(figure)));
   return new DataSheet(
     box,
@@ -116,5 +117,5 @@ async function sheet(): Promise<DataSheet | null> {
 
 /** A figure with photographs has changed. */
 async function refreshSheet({ target }: Event) {
-  if (target instanceof SimulationFigure && instruments.has(target)) (await sheet())?.refresh();
+  if (target instanceof SimulationFigure && instruments.has(target)) (await dataSheet())?.refresh();
 }

@@ -1,9 +1,9 @@
 /** Files that a figure makes of its results, and a photograph made anew. */
 
-import { message } from "../errors.ts";
+import { errorText } from "../errors.ts";
 import type { SimulationFigure } from "../figure/element.ts";
-import { decode } from "../figure/photograph.ts";
-import { download, maybe } from "../page/dom.ts";
+import { decodePicture } from "../figure/photograph.ts";
+import { download, findOptional } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { Runtime } from "../runtime/runtime.ts";
 import type { Instrument } from "./instrument.ts";
@@ -15,19 +15,20 @@ export async function makeFile(
   figure: SimulationFigure,
   instrument: Instrument | null,
 ) {
-  const say = (text: string) => {
-    const line = button.parentElement && maybe(button.parentElement, "[aria-live]", HTMLElement);
+  const report = (text: string) => {
+    const line =
+      button.parentElement && findOptional(button.parentElement, "[aria-live]", HTMLElement);
     if (line) line.textContent = text;
   };
   try {
     const { export: name, file = "" } = button.dataset;
     if (name !== undefined) await saveText(figure, name, file);
-    else await saveDeveloped(figure, instrument, say);
-    say(words("instrument.saved", { file: file || developedName(instrument) }));
+    else await saveDeveloped(figure, instrument, report);
+    report(words("instrument.saved", { file: file || developedName(instrument) }));
   } catch (error) {
-    say(words("instrument.broke_off", { reason: message(error) }));
+    report(words("instrument.broke_off", { reason: errorText(error) }));
   }
-  figure.addEventListener("painted", () => say(""), { once: true }); // it is of other results
+  figure.addEventListener("painted", () => report(""), { once: true }); // it is of other results
 }
 
 async function saveText(figure: SimulationFigure, name: string, file: string) {
@@ -41,16 +42,16 @@ async function saveText(figure: SimulationFigure, name: string, file: string) {
 async function saveDeveloped(
   figure: SimulationFigure,
   instrument: Instrument | null,
-  say: (text: string) => void,
+  report: (text: string) => void,
 ) {
   const chosen = instrument?.chosen;
   if (!figure.live || !instrument || !chosen) throw new Error(words("instrument.nothing_chosen"));
-  say(words("instrument.making", { name: chosen.name }));
+  report(words("instrument.making", { name: chosen.name }));
   const request = figure.live.request();
   const runtime = new Runtime(instrument.url, () => [request.scene]);
   try {
-    await figure.live.own.handOver(runtime, request.figure);
-    const picture = await decode(chosen, chosen.number, MOST_MEGAPIXELS);
+    await figure.live.pictures.sendTo(runtime, request.figure);
+    const picture = await decodePicture(chosen, chosen.number, MOST_MEGAPIXELS);
     const { width, height } = picture;
     const { rasters } = await runtime.call("develop", { ...request, picture });
     const pixels = new ImageData(new Uint8ClampedArray(rasters[0]), width, height);

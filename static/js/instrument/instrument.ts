@@ -6,25 +6,25 @@
 import type { SimulationFigure } from "../figure/element.ts";
 import { moveControls, named } from "../figure/controls.ts";
 import { settingsOf } from "../figure/permalink.ts";
-import { nextNumber } from "../figure/photograph.ts";
-import { maybe, one } from "../page/dom.ts";
-import { recall, remember } from "../page/storage.ts";
+import { nextPictureNumber } from "../figure/photograph.ts";
+import { findOptional, find } from "../page/dom.ts";
+import { loadItem, saveItem } from "../page/storage.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
-import { closed } from "../runtime/runtime.ts";
+import { closedFailure } from "../runtime/runtime.ts";
 import {
-  erase,
-  keep,
-  keepSession,
-  keptPhotos,
-  keyOf,
+  deletePhotos,
+  savePhotos,
+  saveSession,
+  loadPhotos,
   type Photo,
   restoreSession,
+  sessionKey,
   type State,
-  WANTED,
-} from "./keeping.ts";
+  KEEP_KEY,
+} from "./photo_store.ts";
 import { PhotoList } from "./list.ts";
-import { Reader, ReaderEnded } from "./reader.ts";
+import { Reader, ReadingEnded } from "./reader.ts";
 
 export class Instrument {
   photos: Photo[] = [];
@@ -32,13 +32,13 @@ export class Instrument {
   #reader: Reader;
   #isWorking = false;
   #isStopped = false;
-  /** What is said beside the state of the work, until photographs come or go. */
+  /** A remark beside the state of the work, until photographs come or go. */
   #remark = "";
-  #keeps = recall(WANTED) !== false;
+  #isKeeping = loadItem(KEEP_KEY) !== false;
   /** What the control that counts photographs last followed. */
   #counted = 0;
-  #given = "";
-  #givenNumber = 0;
+  #otherResult = "";
+  #otherResultNumber = 0;
   readonly scene: string;
   /** Absolute address of the runtime folder. */
   readonly url: string;
@@ -58,27 +58,27 @@ export class Instrument {
       "reads" in box.dataset,
       "mosaic" in box.dataset,
     );
-    one(box, ".intake-keep", HTMLInputElement).checked = this.#keeps;
+    find(box, ".intake-keep", HTMLInputElement).checked = this.#isKeeping;
     this.list = new PhotoList(box, {
-      look: (photo) => this.look(photo),
+      choose: (photo) => this.choose(photo),
       remove: (photo) => this.remove([photo]),
     });
     figure.addEventListener("figure-leave", () => this.#leave(), { once: true });
     figure.addEventListener("painted", () => {
-      if (this.#keeps && this.#own.length > 0) keepSession(this.scene, figure);
-      setTimeout(() => this.#showWork()); // the figure rests, or goes on
+      if (this.#isKeeping && this.#readerPhotos.length > 0) saveSession(this.scene, figure);
+      setTimeout(() => this.#showProgress()); // the figure rests, or goes on
     });
-    figure.addEventListener("figure-rest", () => setTimeout(() => this.#showWork()));
+    figure.addEventListener("figure-rest", () => setTimeout(() => this.#showProgress()));
   }
 
   /** Whether the figure shows the reader's photographs in place of the book's. */
   get isUsed() {
-    return this.#used.length > 0;
+    return this.#usedPhotos.length > 0;
   }
 
   /** The names of the photographs that the figure has, or of those with these numbers. */
   names(numbers: number[] | null) {
-    return this.#used
+    return this.#usedPhotos
       .filter(({ number }) => numbers?.includes(number) ?? true)
       .map(({ name }) => name);
   }
@@ -88,7 +88,13 @@ export class Instrument {
     for (const file of files) {
       if (this.photos.some(({ name, file: { size } }) => name === file.name && size === file.size))
         this.#remark = words("instrument.twice", { name: file.name });
-      else this.#take({ id: `${Date.now()}-${nextNumber()}`, name: file.name, file, ...WAITING });
+      else
+        this.#addPhoto({
+          id: `${Date.now()}-${nextPictureNumber()}`,
+          name: file.name,
+          file,
+          ...NEW_PHOTO,
+        });
     }
     return this.work();
   }
@@ -96,23 +102,23 @@ export class Instrument {
   /** Simulated photographs, which Python makes as they are read. */
   addSamples() {
     for (const name of JSON.parse(this.box.dataset.samples ?? "[]")) {
-      this.#take({ id: name, name, file: new Blob(), isSample: true, ...WAITING });
+      this.#addPhoto({ id: name, name, file: new Blob(), isSample: true, ...NEW_PHOTO });
     }
     return this.work();
   }
 
   /** Photographs that were kept, with the settings that they were measured with. */
   async restore() {
-    this.#keeps = true;
-    one(this.box, ".intake-keep", HTMLInputElement).checked = true;
+    this.#isKeeping = true;
+    find(this.box, ".intake-keep", HTMLInputElement).checked = true;
     try {
-      for (const photo of await keptPhotos(this.scene)) this.#take(photo);
+      for (const photo of await loadPhotos(this.scene)) this.#addPhoto(photo);
     } catch {
       this.#stopKeeping(words("instrument.not_kept"));
       return;
     }
     restoreSession(this.scene, this.figure);
-    this.#use();
+    this.#updateFigure();
     await this.work();
   }
 
@@ -126,18 +132,18 @@ export class Instrument {
     }
     this.#isWorking = false;
     this.#reader.close();
-    this.#showWork();
+    this.#showProgress();
   }
 
   stop() {
     this.#isStopped = true;
     this.#reader.close();
-    this.#showWork();
+    this.#showProgress();
   }
 
-  look(photo: Photo | null) {
+  choose(photo: Photo | null) {
     this.chosen = photo;
-    this.#use();
+    this.#updateFigure();
   }
 
   remove(photos: Photo[]) {
@@ -145,92 +151,92 @@ export class Instrument {
     this.photos = this.photos.filter((photo) => !photos.includes(photo));
     for (const photo of photos) this.list.remove(photo);
     if (this.chosen && photos.includes(this.chosen)) this.chosen = null;
-    if (this.#own.length === 0) remember(keyOf(this.scene), null);
-    if (this.#keeps && photos.length > 0)
-      erase(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
+    if (this.#readerPhotos.length === 0) saveItem(sessionKey(this.scene), null);
+    if (this.#isKeeping && photos.length > 0)
+      deletePhotos(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
     if (photos.some(({ state }) => state === "reading")) this.#reader.close();
-    this.#use();
+    this.#updateFigure();
   }
 
   /** Keep all photographs on this device from now on, or none any more. */
-  async keep(wanted: boolean) {
-    this.#keeps = wanted;
-    remember(WANTED, wanted ? null : false);
+  async setKeeping(wanted: boolean) {
+    this.#isKeeping = wanted;
+    saveItem(KEEP_KEY, wanted ? null : false);
     if (wanted) {
-      keepSession(this.scene, this.figure);
-      await this.#keep(this.photos);
+      saveSession(this.scene, this.figure);
+      await this.#save(this.photos);
     } else {
-      remember(keyOf(this.scene), null);
-      await erase(this.photos).catch(() => {}); // there are none
+      saveItem(sessionKey(this.scene), null);
+      await deletePhotos(this.photos).catch(() => {}); // there are none
     }
-    this.#showWork();
+    this.#showProgress();
   }
 
   get #next() {
     return this.photos.find(({ state }) => state === "waiting");
   }
 
-  get #own() {
+  get #readerPhotos() {
     return this.photos.filter(({ isSample }) => !isSample);
   }
 
-  get #used() {
+  get #usedPhotos() {
     const ready = this.photos.filter(({ state }) => state === "ready");
     return "reads" in this.box.dataset ? ready : ready.filter((photo) => photo === this.chosen);
   }
 
-  #take(photo: Omit<Photo, "number">) {
-    const taken: Photo = { ...photo, number: nextNumber() };
+  #addPhoto(photo: Omit<Photo, "number">) {
+    const taken: Photo = { ...photo, number: nextPictureNumber() };
     this.photos.push(taken);
     this.list.show(taken);
-    this.#keep([taken]);
+    this.#save([taken]);
   }
 
   async #read(photo: Photo) {
     photo.state = "reading";
-    this.#showWork();
+    this.#showProgress();
     this.list.show(photo);
     try {
-      await this.#reader.read(photo, (said) => {
-        if (this.photos.includes(photo)) this.list.show(photo, said);
+      await this.#reader.read(photo, (text) => {
+        if (this.photos.includes(photo)) this.list.show(photo, text);
       });
     } catch (error) {
       photo.state = "waiting";
-      if (!(error instanceof ReaderEnded)) throw error;
-      if (error.message !== closed().message) {
+      if (!(error instanceof ReadingEnded)) throw error;
+      if (error.message !== closedFailure().message) {
         this.#isStopped = true;
         this.#remark = error.message;
       }
     }
     if (!this.photos.includes(photo)) return;
     this.list.show(photo);
-    this.#keep([photo]);
-    this.#use();
+    this.#save([photo]);
+    this.#updateFigure();
   }
 
   /** Measure with what another instrument found, JSON, or with nothing: "". */
-  useFile(given: string) {
-    if (given === this.#given) return;
-    this.#given = given;
-    this.#givenNumber = nextNumber();
-    this.#use();
+  measureWith(given: string) {
+    if (given === this.#otherResult) return;
+    this.#otherResult = given;
+    this.#otherResultNumber = nextPictureNumber();
+    this.#updateFigure();
   }
 
   /** Give the figure what is ready; the first that is, is looked at. */
-  #use() {
+  #updateFigure() {
     this.chosen ??= this.photos.find(({ state }) => state === "ready") ?? null;
     this.list.mark(this.chosen);
-    const readings = this.#used.map(({ number, name, data }) => ({ number, name, data }));
+    const readings = this.#usedPhotos.map(({ number, name, data }) => ({ number, name, data }));
     const isRead = "reads" in this.box.dataset;
-    const given = this.#given && {
-      number: this.#givenNumber,
+    const given = this.#otherResult && {
+      number: this.#otherResultNumber,
       name: "given",
-      data: JSON.parse(this.#given),
+      data: JSON.parse(this.#otherResult),
     };
-    this.figure.live?.own.use(this.chosen, isRead ? readings : given ? [given] : []);
+    this.figure.live?.pictures.set(this.chosen, isRead ? readings : given ? [given] : []);
     if (isRead) this.#showCount(readings.length);
     if (this.figure.dataset.state === "waiting" && this.photos.length) this.figure.begin();
-    this.#showWork();
+    this.#showProgress();
   }
 
   /** A control that counts photographs follows them, unless the reader has chosen fewer. */
@@ -246,11 +252,11 @@ export class Instrument {
     this.#counted = all;
   }
 
-  async #keep(photos: Photo[]) {
-    const own = photos.filter(({ isSample }) => !isSample);
-    if (!this.#keeps || own.length === 0) return;
+  async #save(photos: Photo[]) {
+    const readerPhotos = photos.filter(({ isSample }) => !isSample);
+    if (!this.#isKeeping || readerPhotos.length === 0) return;
     try {
-      await keep(this.scene, own, this.photos);
+      await savePhotos(this.scene, readerPhotos, this.photos);
     } catch (error) {
       const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
       this.#stopKeeping(isFull ? words("instrument.full") : words("instrument.not_kept"));
@@ -258,31 +264,31 @@ export class Instrument {
   }
 
   #stopKeeping(why: string) {
-    this.#keeps = false;
-    remember(keyOf(this.scene), null);
-    one(this.box, ".intake-keep", HTMLInputElement).checked = false;
+    this.#isKeeping = false;
+    saveItem(sessionKey(this.scene), null);
+    find(this.box, ".intake-keep", HTMLInputElement).checked = false;
     this.#remark = why;
-    this.#showWork();
+    this.#showProgress();
   }
 
-  #showWork() {
+  #showProgress() {
     const count = this.photos.length;
     const done = this.#done;
     const waits = done < count;
-    this.box.toggleAttribute("data-unsaved", !this.#keeps && this.#own.length > 0);
-    one(this.box, ".intake-foot", HTMLElement).hidden = count === 0;
-    one(this.box, ".intake-foot label", HTMLElement).hidden = this.#own.length === 0;
-    const trial = maybe(this.box, ".intake-try", HTMLElement);
+    this.box.toggleAttribute("data-unsaved", !this.#isKeeping && this.#readerPhotos.length > 0);
+    find(this.box, ".intake-foot", HTMLElement).hidden = count === 0;
+    find(this.box, ".intake-foot label", HTMLElement).hidden = this.#readerPhotos.length === 0;
+    const trial = findOptional(this.box, ".intake-try", HTMLElement);
     if (trial) trial.hidden = count > 0;
-    one(this.box, ".intake-work", HTMLElement).hidden = !waits;
-    const bar = one(this.box, "progress", HTMLProgressElement);
+    find(this.box, ".intake-work", HTMLElement).hidden = !waits;
+    const bar = find(this.box, "progress", HTMLProgressElement);
     [bar.max, bar.value] = [Math.max(count, 1), done];
-    const goesOn = this.#isWorking && !this.#isStopped;
-    one(this.box, ".intake-stop", HTMLElement).hidden = !goesOn;
-    one(this.box, ".intake-go-on", HTMLElement).hidden = goesOn;
-    const line = maybe(this.box, ".intake-said", HTMLElement);
-    const said = [this.#state(count, waits && goesOn ? done + 1 : 0), this.#remark];
-    if (line) setText(line, said.filter(Boolean).join(" "));
+    const isReading = this.#isWorking && !this.#isStopped;
+    find(this.box, ".intake-stop", HTMLElement).hidden = !isReading;
+    find(this.box, ".intake-go-on", HTMLElement).hidden = isReading;
+    const line = findOptional(this.box, ".intake-status", HTMLElement);
+    const text = [this.#statusText(count, waits && isReading ? done + 1 : 0), this.#remark];
+    if (line) setText(line, text.filter(Boolean).join(" "));
   }
 
   get #done() {
@@ -294,14 +300,14 @@ export class Instrument {
   }
 
   /** @param at The photograph that is read; 0 for none. */
-  #state(count: number, at: number) {
+  #statusText(count: number, at: number) {
     if (at) return words("instrument.progress", { at, count });
     if (this.#done < count) return words("instrument.stopped");
     if (this.isUsed && !this.figure.rests) return words("instrument.measuring");
     if (!count) return "";
     const [ready, refused] = [this.#count("ready"), this.#count("refused")];
-    const said = words("instrument.ready_count", { ready, count });
-    return refused ? `${said} ${words("instrument.refused_count", { count: refused })}` : said;
+    const text = words("instrument.ready_count", { ready, count });
+    return refused ? `${text} ${words("instrument.refused_count", { count: refused })}` : text;
   }
 
   #leave() {
@@ -311,4 +317,4 @@ export class Instrument {
   }
 }
 
-const WAITING = { state: "waiting", said: "", thumbnail: null, data: null } as const;
+const NEW_PHOTO = { state: "waiting", message: "", thumbnail: null, data: null } as const;

@@ -1,9 +1,9 @@
 /** The photographs of an instrument as the reader sees them: thumbnail, name, state. */
 
-import { one } from "../page/dom.ts";
+import { find } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
-import type { Photo } from "./keeping.ts";
+import type { Photo } from "./photo_store.ts";
 
 export class PhotoList {
   #items: Map<Photo, HTMLElement> = new Map();
@@ -13,30 +13,30 @@ export class PhotoList {
   /** @param on What a press on a photograph's buttons does. */
   constructor(
     box: HTMLElement,
-    readonly on: { look: (photo: Photo) => void; remove: (photo: Photo) => void },
+    readonly on: { choose: (photo: Photo) => void; remove: (photo: Photo) => void },
   ) {
-    this.list = one(box, ".intake-list", HTMLElement);
-    this.template = one(box, "template", HTMLTemplateElement);
+    this.list = find(box, ".intake-list", HTMLElement);
+    this.template = find(box, "template", HTMLTemplateElement);
   }
 
-  /** Show a photograph as it is now; `said` of what takes time. */
-  show(photo: Photo, said: string = photo.said || stateOf(photo)) {
+  /** Show a photograph as it is now; `text` of what takes time. */
+  show(photo: Photo, text: string = photo.message || stateText(photo)) {
     const item = this.#items.get(photo) ?? this.#add(photo);
     item.dataset.state = photo.state;
-    setText(one(item, ".intake-state", HTMLElement), said);
-    const image = one(item, "img", HTMLImageElement);
+    setText(find(item, ".intake-state", HTMLElement), text);
+    const image = find(item, "img", HTMLImageElement);
     if (photo.thumbnail && image.hidden) {
       image.src = URL.createObjectURL(photo.thumbnail);
       image.hidden = false;
     }
-    one(item, ".intake-look", HTMLButtonElement).disabled = !photo.thumbnail;
+    find(item, ".intake-look", HTMLButtonElement).disabled = !photo.thumbnail;
   }
 
   /** Mark the one that is looked at. */
   mark(chosen: Photo | null) {
     for (const [photo, item] of this.#items) {
       const pressed = String(photo === chosen);
-      one(item, ".intake-look", HTMLElement).setAttribute("aria-pressed", pressed);
+      find(item, ".intake-look", HTMLElement).setAttribute("aria-pressed", pressed);
     }
   }
 
@@ -45,7 +45,7 @@ export class PhotoList {
     if (!item) return;
     const next = item.nextElementSibling ?? item.previousElementSibling;
     const hadFocus = item.contains(document.activeElement);
-    URL.revokeObjectURL(one(item, "img", HTMLImageElement).src);
+    URL.revokeObjectURL(find(item, "img", HTMLImageElement).src);
     item.remove();
     this.#items.delete(photo);
     this.list.hidden = this.#items.size === 0;
@@ -54,14 +54,14 @@ export class PhotoList {
 
   #add(photo: Photo) {
     const fresh = this.template.content.cloneNode(true) as DocumentFragment;
-    const item = one(fresh, "li", HTMLElement);
+    const item = find(fresh, "li", HTMLElement);
     const [look, remove] = [".intake-look", ".intake-remove"].map((button) =>
-      one(item, button, HTMLButtonElement),
+      find(item, button, HTMLButtonElement),
     );
-    one(item, ".intake-name", HTMLElement).textContent = photo.name;
+    find(item, ".intake-name", HTMLElement).textContent = photo.name;
     look.setAttribute("aria-label", words("instrument.look", { name: photo.name }));
     remove.setAttribute("aria-label", words("instrument.remove", { name: photo.name }));
-    look.addEventListener("click", () => this.on.look(photo));
+    look.addEventListener("click", () => this.on.choose(photo));
     remove.addEventListener("click", () => this.on.remove(photo));
     this.list.append(item);
     this.list.hidden = false;
@@ -70,7 +70,7 @@ export class PhotoList {
   }
 }
 
-function stateOf({ state }: Photo) {
+function stateText({ state }: Photo) {
   if (state === "waiting") return words("instrument.waiting");
   return state === "reading" ? words("instrument.reading") : words("instrument.ready");
 }

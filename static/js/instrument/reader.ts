@@ -3,17 +3,17 @@
  * and when this one ends, the browser has its memory back.
  */
 
-import { message } from "../errors.ts";
-import { inTurn, open, take, thumbnailOf } from "../figure/photograph.ts";
+import { errorText } from "../errors.ts";
+import { runInTurn, decodeFile, thumbnailOf, toPicture } from "../figure/photograph.ts";
 import { words } from "../page/words.ts";
-import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.ts";
-import type { Photo } from "./keeping.ts";
+import { Runtime, RuntimeFailure, closedFailure } from "../runtime/runtime.ts";
+import type { Photo } from "./photo_store.ts";
 
 /** Larger photographs are scaled down before they are read. */
 export const MOST_MEGAPIXELS = 24;
 
 /** Python does not run, or was ended: the photographs can wait. */
-export class ReaderEnded extends Error {}
+export class ReadingEnded extends Error {}
 
 export class Reader {
   #runtime: Runtime | null = null;
@@ -32,14 +32,14 @@ export class Reader {
     readonly mosaic: boolean,
   ) {}
 
-  /** Have a photograph ready or refused, or throw `ReaderEnded`; `say` reports what takes time. */
-  async read(photo: Photo, say: (text: string) => void) {
+  /** Have a photograph ready or refused, or throw `ReadingEnded`; `report` shows what takes time. */
+  async read(photo: Photo, report: (text: string) => void) {
     const ends = this.#ends;
     try {
-      await inTurn(() => this.#read(photo, ends, say));
+      await runInTurn(() => this.#read(photo, ends, report));
       photo.state = "ready";
     } catch (error) {
-      photo.said = refusal(photo.name, error);
+      photo.message = refusal(photo.name, error);
       photo.state = "refused";
     }
   }
@@ -52,20 +52,20 @@ export class Reader {
   }
 
   /** @param ends How often the interpreter had been ended when the photograph was to be read. */
-  async #read(photo: Photo, ends: number, say: (text: string) => void) {
+  async #read(photo: Photo, ends: number, report: (text: string) => void) {
     if (photo.isSample && photo.file.size === 0) photo.file = await this.#sample(photo.name);
     const megapixels = this.reads ? MOST_MEGAPIXELS : 0;
-    const wanted = { mosaic: this.mosaic, megapixels, measured: true, say };
-    const opened = await open(photo, wanted);
+    const wanted = { mosaic: this.mosaic, megapixels, measured: true, report };
+    const opened = await decodeFile(photo, wanted);
     photo.thumbnail ??= await thumbnailOf(opened.bitmap);
     if (this.reads && ends === this.#ends) {
-      const picture = await take(photo, opened, photo.number, MOST_MEGAPIXELS);
+      const picture = await toPicture(photo, opened, photo.number, MOST_MEGAPIXELS);
       const { data, unfit } = await this.#started().call("read", { scene: this.scene, picture });
       if (unfit) throw new Error(unfit);
       photo.data = data;
     }
     opened.bitmap.close();
-    if (ends !== this.#ends) throw closed();
+    if (ends !== this.#ends) throw closedFailure();
   }
 
   async #sample(name: string) {
@@ -79,11 +79,11 @@ export class Reader {
   }
 }
 
-/** Why a photograph cannot be used, in a sentence; `ReaderEnded` where it is not its fault. */
+/** Why a photograph cannot be used, in a sentence; `ReadingEnded` where it is not its fault. */
 function refusal(name: string, error: unknown): string {
-  if (!(error instanceof RuntimeFailure)) return message(error);
+  if (!(error instanceof RuntimeFailure)) return errorText(error);
   if (error.late) return words("instrument.late", { name });
   const isItsOwn = error.kind === "python" || error.loadError === "memory";
-  if (!isItsOwn) throw new ReaderEnded(error.message);
+  if (!isItsOwn) throw new ReadingEnded(error.message);
   return words("instrument.failed", { name, reason: error.message });
 }

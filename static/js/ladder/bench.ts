@@ -7,8 +7,8 @@
  * when the tier at hand is finished.
  */
 
-import { message } from "../errors.ts";
-import { all, csv, data, one } from "../page/dom.ts";
+import { errorText } from "../errors.ts";
+import { findAll, csv, data, find } from "../page/dom.ts";
 import { numeral, words } from "../page/words.ts";
 import { Runtime, sharedRuntime } from "../runtime/runtime.ts";
 import { addPoint, type Ladder, type Result } from "./chart.ts";
@@ -58,7 +58,7 @@ class LadderBench extends HTMLElement {
     try {
       for (const { id: tier, label } of tiers) {
         if (this.#stopped) break;
-        this.#say(words("ladder.measuring", { tier: label }));
+        this.#showMessage(words("ladder.measuring", { tier: label }));
         const reply = await runtime.call("measure", { ladder, tier, budget: BUDGET }, URGENCY);
         if (!this.isConnected) return;
         results.push(JSON.parse(reply.result));
@@ -67,7 +67,7 @@ class LadderBench extends HTMLElement {
       const counts = { count: results.length, all: tiers.length };
       this.#end(this.#stopped ? "stopped" : "done", words("ladder.measured", counts));
     } catch (error) {
-      this.#end("failed", words("ladder.broke_off", { reason: message(error) }));
+      this.#end("failed", words("ladder.broke_off", { reason: errorText(error) }));
     }
   }
 
@@ -76,19 +76,19 @@ class LadderBench extends HTMLElement {
     this.dataset.state = "running";
     this.#enable("stop", "run");
     this.#points.replaceChildren();
-    for (const cell of all(this, "td.own", HTMLElement)) cell.textContent = "–";
-    one(this, "progress", HTMLProgressElement).value = 0;
+    for (const cell of findAll(this, "td.own", HTMLElement)) cell.textContent = "–";
+    find(this, "progress", HTMLProgressElement).value = 0;
   }
 
   #stop() {
     this.#stopped = true;
-    this.#say(words("ladder.stopping"));
+    this.#showMessage(words("ladder.stopping"));
   }
 
   #end(state: string, text: string) {
     this.dataset.state = state;
     this.#enable("run", "stop");
-    this.#say(text);
+    this.#showMessage(text);
   }
 
   /** One of the two buttons in place of the other, with its focus. */
@@ -104,32 +104,32 @@ class LadderBench extends HTMLElement {
     const result = results[results.length - 1];
     this.dataset.measured = String(results.length);
     addPoint(this.#points, result, this.ladder);
-    const cell = one(this, `tr[data-tier="${CSS.escape(result.tier)}"] td.own`, HTMLElement);
+    const cell = find(this, `tr[data-tier="${CSS.escape(result.tier)}"] td.own`, HTMLElement);
     cell.textContent = numeral(milliseconds(result.milliseconds));
-    one(this, "progress", HTMLProgressElement).value = results.length;
+    find(this, "progress", HTMLProgressElement).value = results.length;
     URL.revokeObjectURL(this.#file);
     this.#file = URL.createObjectURL(new Blob([toCsv(results, this.ladder)], { type: "text/csv" }));
-    const link = one(this, "a.download", HTMLAnchorElement);
+    const link = find(this, "a.download", HTMLAnchorElement);
     link.href = this.#file;
     link.download = `${this.ladder.ladder}.csv`;
     link.removeAttribute("aria-disabled");
   }
 
-  #say(text: string) {
-    one(this, ".ladder-status", HTMLElement).textContent = text;
+  #showMessage(text: string) {
+    find(this, ".ladder-status", HTMLElement).textContent = text;
   }
 
   /** The group of the chart that holds the reader's own points. */
   get #points() {
-    return one(this, ".overlay .own", SVGElement);
+    return find(this, ".overlay .own", SVGElement);
   }
 
   #button(name: string) {
-    return one(this, `button.${name}`, HTMLButtonElement);
+    return find(this, `button.${name}`, HTMLButtonElement);
   }
 }
 
-/** Two digits, three from 100 on: as `milliseconds` of the builder's quantities.py prints them. */
+/** Two digits, three from 100 on: as `milliseconds` of `site_builder/benchmarks/judgements.py` prints them. */
 export function milliseconds(value: number) {
   const digits = value < 100 ? 2 : 3;
   const rounded = Number(value.toPrecision(digits));

@@ -1,6 +1,6 @@
 /**
  * The reader's own points in the chart of a ladder. The builder draws the rest and gives the axes:
- * `position` is `ChartAxis.position` of its axes.py.
+ * `position` is `ChartAxis.position` in `site_builder/benchmarks/charts.py`.
  */
 
 type Scale = { low: number; high: number; start: number; end: number; log: boolean };

@@ -20,30 +20,30 @@ const root = worker.registration.scope;
 const LIST = "offline.json";
 const STORE = `files of ${root}`;
 /** Begins the names of the caches that earlier versions of this script made, one for each release. */
-const FORMER = `${root} `;
+const OLD_CACHE = `${root} `;
 /** Files fetched at once: readers may be reading. */
-const AT_ONCE = 4;
+const PARALLEL = 4;
 
 const lists: Map<string, Promise<Files>> = new Map();
 /** The open pages that came from this release, as far as this worker knows. */
-const own: Set<string> = new Set();
-let isTidy = false;
+const currentPages: Set<string> = new Set();
+let isCleaned = false;
 /** Whether a file was missing or damaged: others may be. */
-let isSuspect = false;
-let mending: Promise<unknown> | null = null;
+let isDamaged = false;
+let repair: Promise<unknown> | null = null;
 
 worker.addEventListener("install", (event) => {
-  const stored = release ? navigator.locks.request(STORE, takeUp) : Promise.resolve();
+  const stored = release ? navigator.locks.request(STORE, installRelease) : Promise.resolve();
   event.waitUntil(stored.then(() => worker.skipWaiting()));
 });
 worker.addEventListener("activate", (event) => {
-  event.waitUntil(release ? worker.clients.claim() : leave());
+  event.waitUntil(release ? worker.clients.claim() : uninstall());
 });
 worker.addEventListener("fetch", (event) => {
   const { method, url, cache } = event.request;
   if (cache === "only-if-cached") return; // the browser's own copy, with what it compiled of it
   if (!release || method !== "GET" || !url.startsWith(root)) return;
-  const reply = answer(event).catch(() => fetch(event.request));
+  const reply = replyTo(event).catch(() => fetch(event.request));
   event.respondWith(reply);
   event.waitUntil(reply.then(() => upkeep(event.clientId)).catch(() => {}));
 });
@@ -52,7 +52,7 @@ worker.addEventListener("fetch", (event) => {
  * Store every file of the release, or fail; a later attempt fetches only what is missing. Under a lock,
  * so that no other worker deletes what this one stores.
  */
-async function takeUp() {
+async function installRelease() {
   const store = await caches.open(STORE);
   await store.delete(keyOf(LIST, release)); // stored anew, it is the last list
   const failed = await storeAll().catch((error) => ({ address: LIST, error }));
@@ -72,15 +72,15 @@ async function storeAll() {
   const take = async () => {
     for (let file = left.pop(); file; file = left.pop()) {
       const [address, hash] = file;
-      await exactly(address, hash).catch((error) => {
+      await checkedFile(address, hash).catch((error) => {
         failed.push({ address, error });
         if (error instanceof DOMException) left.length = 0; // the store is full
       });
     }
   };
-  await Promise.all(Array.from({ length: AT_ONCE }, take));
-  isSuspect = false;
-  mending = null;
+  await Promise.all(Array.from({ length: PARALLEL }, take));
+  isDamaged = false;
+  repair = null;
   return failed.at(-1);
 }
 
@@ -89,15 +89,15 @@ async function storeAll() {
  *
  * @param isTrusted Whether what is stored will do unchecked.
  */
-async function exactly(address: string, hash: string, isTrusted = false): Promise<Response> {
+async function checkedFile(address: string, hash: string, isTrusted = false): Promise<Response> {
   const store = await caches.open(STORE);
   const key = keyOf(address, hash);
   const stored = await store.match(key);
   if (stored && (isTrusted || (await hashOf(stored.clone()).catch(() => "")) === hash))
     return stored;
-  const reply = await fetchExactly(root + address, hash);
+  const reply = await fetchChecked(root + address, hash);
   await store.put(key, reply.clone());
-  isSuspect = true;
+  isDamaged = true;
   return reply;
 }
 
@@ -117,7 +117,7 @@ async function hashOf(file: Response) {
  * renew it, and the browser forget what it compiled of it. The reply has no address of its own, since
  * scripts find their neighbours by that of the request.
  */
-async function fetchExactly(url: string, hash: string) {
+async function fetchChecked(url: string, hash: string) {
   const ask = (cache: RequestCache) => fetch(url, { cache, integrity: hash });
   const first = url.endsWith(".wasm") ? "force-cache" : "no-cache";
   const reply = await ask(first).catch(() => ask("reload")); // the browser's copy may be damaged
@@ -130,7 +130,7 @@ async function fetchExactly(url: string, hash: string) {
 /** The files of a release, and its list. */
 function filesOf(name: string): Promise<Files> {
   const read = async () => {
-    const files: Record<string, string> = await (await exactly(LIST, name)).json();
+    const files: Record<string, string> = await (await checkedFile(LIST, name)).json();
     return new Map([[LIST, name], ...Object.entries(files)]);
   };
   const files = lists.get(name) ?? read();
@@ -149,22 +149,23 @@ async function releases() {
  * What the release has under the address; else what another one has, for a page of that; else what
  * the network says. Scripts that fetch a file by its hash check it themselves, and try again.
  */
-async function answer({ request, resultingClientId }: FetchEvent): Promise<Response> {
+async function replyTo({ request, resultingClientId }: FetchEvent): Promise<Response> {
   const { origin, pathname, search } = new URL(request.url);
   const address = (origin + pathname).slice(root.length).replace(/(^|\/)index\.html$/, "$1");
   const { cache, destination, integrity } = request;
   const isChecked = cache === "default" && destination === "" && integrity !== "";
-  const seek = async (name: string) => {
+  const findIn = async (name: string) => {
     const files = await filesOf(name);
     const hash = files.get(address);
-    if (hash !== undefined) return asAsked(await exactly(address, hash, isChecked), request);
+    if (hash !== undefined)
+      return partialReply(await checkedFile(address, hash, isChecked), request);
     return files.has(`${address}/`) ? Response.redirect(`${root}${address}/${search}`) : null;
   };
-  const found = await seek(release);
-  if (found && request.mode === "navigate") own.add(resultingClientId);
+  const found = await findIn(release);
+  if (found && request.mode === "navigate") currentPages.add(resultingClientId);
   if (found) return found;
   for (const name of await releases()) {
-    const left = await seek(name).catch(() => null);
+    const left = await findIn(name).catch(() => null);
     if (left) return left;
   }
   return fetch(request);
@@ -174,7 +175,7 @@ async function answer({ request, resultingClientId }: FetchEvent): Promise<Respo
  * The whole file, or the part that a film asks for (RFC 9110, section 14): some browsers take no
  * whole file for a part.
  */
-async function asAsked(stored: Response, { headers }: Request): Promise<Response> {
+async function partialReply(stored: Response, { headers }: Request): Promise<Response> {
   const [, first, last] = /^bytes=(\d+)-(\d*)$/.exec(headers.get("range") ?? "") ?? [];
   if (first === undefined || headers.has("if-range")) return stored;
   const file = await stored.clone().blob();
@@ -187,15 +188,15 @@ async function asAsked(stored: Response, { headers }: Request): Promise<Response
 
 /** After an answer to this page: mend the store, or drop the releases that no open page came from. */
 async function upkeep(page: string) {
-  if (isSuspect) await (mending ??= storeAll());
-  if (isTidy || !own.has(page)) return;
+  if (isDamaged) await (repair ??= storeAll());
+  if (isCleaned || !currentPages.has(page)) return;
   const pages = await worker.clients.matchAll({ type: "window" });
-  if (!pages.every(({ id }) => own.has(id))) return;
-  isTidy = true;
+  if (!pages.every(({ id }) => currentPages.has(id))) return;
+  isCleaned = true;
   await navigator.locks.request(STORE, async () => {
     if ((await releases()).at(-1) === release) await keepOnly([release]);
   });
-  for (const name of await caches.keys()) if (name.startsWith(FORMER)) await caches.delete(name);
+  for (const name of await caches.keys()) if (name.startsWith(OLD_CACHE)) await caches.delete(name);
 }
 
 /** Delete what belongs to no release of these. */
@@ -207,9 +208,9 @@ async function keepOnly(names: string[]) {
 }
 
 /** Give everything back, and have the pages come from the network again. */
-async function leave() {
+async function uninstall() {
   for (const name of await caches.keys()) {
-    if (name === STORE || name.startsWith(FORMER)) await caches.delete(name);
+    if (name === STORE || name.startsWith(OLD_CACHE)) await caches.delete(name);
   }
   await worker.registration.unregister();
   const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });

@@ -3,13 +3,13 @@
  * The tables are complete, and closed, without it.
  */
 
-import { all, element, one } from "./dom.ts";
+import { findAll, element, find } from "./dom.ts";
 import { words } from "./words.ts";
 
 /** Called once: a listener on the document outlives a change of chapter. */
 export function install() {
   document.addEventListener("input", ({ target }) => {
-    if (target instanceof HTMLInputElement && target.closest(".case-filter")) filter(target);
+    if (target instanceof HTMLInputElement && target.closest(".case-filter")) filterCases(target);
   });
 }
 
@@ -22,15 +22,15 @@ export function arrive() {
   field.innerHTML =
     '<label><span></span> <input type="search"></label> <span role="status"></span>';
   field.addEventListener("submit", (event) => event.preventDefault());
-  one(field, "label > span", HTMLElement).textContent = words("extremes.filter");
+  find(field, "label > span", HTMLElement).textContent = words("extremes.filter");
   first.before(field);
 }
 
-function filter(input: HTMLInputElement) {
+function filterCases(input: HTMLInputElement) {
   const wanted = input.value.toLowerCase().split(/\s+/).filter(Boolean);
   let found = 0;
   for (const table of tables()) {
-    const rows = all(table, "tbody tr", HTMLElement);
+    const rows = findAll(table, "tbody tr", HTMLElement);
     for (const row of rows) {
       const text = row.textContent.toLowerCase();
       row.hidden = !wanted.every((word) => text.includes(word));
@@ -40,10 +40,10 @@ function filter(input: HTMLInputElement) {
     table.open = wanted.length > 0 && left > 0;
     found += left;
   }
-  const count = one(input.closest("form") ?? document, "[role=status]", HTMLElement);
+  const count = find(input.closest("form") ?? document, "[role=status]", HTMLElement);
   count.textContent = wanted.length ? words("extremes.found", { count: found }) : "";
 }
 
 function tables() {
-  return all(document, "details.extremes", HTMLDetailsElement);
+  return findAll(document, "details.extremes", HTMLDetailsElement);
 }

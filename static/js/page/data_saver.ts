@@ -20,17 +20,17 @@ export function savesData() {
 }
 
 /** Whether Python must not start before the reader asks. */
-export function isSparing() {
+export function isStartDeferred() {
   return "saving" in dataset;
 }
 
 /** Why Python waits, in words. */
-export function sparingReason() {
+export function deferralReason() {
   return words(dataset.saving === "crashed" ? "figure.crashed" : "figure.data_saver");
 }
 
 /** Python runs, and the tab with it. */
-export function startSurvived() {
+export function clearStartCount() {
   try {
     sessionStorage.removeItem(`${STORAGE}starts`);
   } catch {
@@ -39,7 +39,7 @@ export function startSurvived() {
 }
 
 /** The reader has asked: until the visit ends, pages start Python as for others. */
-export function stopSparing() {
+export function allowStart() {
   delete dataset.saving;
   try {
     sessionStorage.setItem(`${STORAGE}asked`, "yes");

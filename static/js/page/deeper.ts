@@ -4,30 +4,30 @@
  * so that a reload or a return finds the page as it was left.
  */
 
-import { all, hashTarget, unfold, within } from "./dom.ts";
-import { recall, remember } from "./storage.ts";
+import { findAll, hashTarget, unfold, closestTo } from "./dom.ts";
+import { loadItem, saveItem } from "./storage.ts";
 
-const KEPT = "everything";
+const KEY = "everything";
 
 /** Listen on any page. */
 export function install() {
   document.addEventListener("change", (event) => {
-    const pass = within(event, "input[name=pass]", HTMLInputElement);
+    const pass = closestTo(event, "input[name=pass]", HTMLInputElement);
     if (!pass) return;
-    remember(KEPT, pass.value === "whole");
+    saveItem(KEY, pass.value === "whole");
     for (const fold of folds()) fold.open = pass.value === "whole";
   });
   // Before the browser follows it.
   document.addEventListener("click", (event) => {
-    const link = within(event, 'a[href*="#"]', HTMLAnchorElement);
+    const link = closestTo(event, 'a[href*="#"]', HTMLAnchorElement);
     if (link?.pathname === location.pathname) unfold(hashTarget(link.hash));
   });
 }
 
 /** Open what the reader wants open, what was open, and what the address leads to. */
 export function arrive() {
-  const isWhole = recall(KEPT) === true;
-  for (const pass of all(document, "input[name=pass]", HTMLInputElement)) {
+  const isWhole = loadItem(KEY) === true;
+  for (const pass of findAll(document, "input[name=pass]", HTMLInputElement)) {
     pass.checked = (pass.value === "whole") === isWhole;
   }
   const places: number[] = history.state?.opened ?? [];
@@ -41,10 +41,10 @@ export function arrive() {
 }
 
 /** Which of the page's are open, by their places. */
-export function opened() {
+export function openFolds() {
   return [...folds().entries()].flatMap(([place, { open }]) => (open ? [place] : []));
 }
 
 function folds() {
-  return all(document, "details.deeper", HTMLDetailsElement);
+  return findAll(document, "details.deeper", HTMLDetailsElement);
 }

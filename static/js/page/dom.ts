@@ -1,14 +1,14 @@
 /** Elements that must be there, with the type that they must have; and new ones; files for the reader. */
 
 /** The first descendant of `root` that fits; an error where there is none, or of another type. */
-export function one<T extends Element>(root: ParentNode, selector: string, type: new () => T): T {
-  const found = maybe(root, selector, type);
+export function find<T extends Element>(root: ParentNode, selector: string, type: new () => T): T {
+  const found = findOptional(root, selector, type);
   if (!found) throw new Error(`the page has no ${selector}`);
   return found;
 }
 
 /** The first descendant of `root` that fits, or null; an error where it is of another type. */
-export function maybe<T extends Element>(
+export function findOptional<T extends Element>(
   root: ParentNode,
   selector: string,
   type: new () => T,
@@ -20,13 +20,17 @@ export function maybe<T extends Element>(
 }
 
 /** All descendants of `root` that fit and are of the type. */
-export function all<T extends Element>(root: ParentNode, selector: string, type: new () => T): T[] {
+export function findAll<T extends Element>(
+  root: ParentNode,
+  selector: string,
+  type: new () => T,
+): T[] {
   const found = [...root.querySelectorAll(selector)];
   return found.flatMap((element) => (element instanceof type ? [element] : []));
 }
 
 /** The element in which an event happened that fits, or null. */
-export function within<T extends Element>(
+export function closestTo<T extends Element>(
   event: Event,
   selector: string,
   type: new () => T,
@@ -66,14 +70,14 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
 }
 
 /** Whether a click on a link asks for no more than to follow it: not for a new window, say. */
-export function isPlain(event: MouseEvent) {
+export function isPlainClick(event: MouseEvent) {
   const { button, metaKey, ctrlKey, shiftKey, altKey } = event;
   return button === 0 && !(metaKey || ctrlKey || shiftKey || altKey);
 }
 
 /** What a `<script type="application/json">` of the page says. */
 export function data(root: ParentNode, selector: string): any {
-  return JSON.parse(one(root, selector, HTMLScriptElement).text);
+  return JSON.parse(find(root, selector, HTMLScriptElement).text);
 }
 
 /** Hand the reader a file. */

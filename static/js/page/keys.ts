@@ -1,12 +1,12 @@
 /** Single keys that turn pages and open things, and the card that lists them. */
 
-import { maybe, one, within } from "./dom.ts";
+import { findOptional, find, closestTo } from "./dom.ts";
 import { openSearch } from "./search.ts";
-import { recall, remember } from "./storage.ts";
+import { loadItem, saveItem } from "./storage.ts";
 
-const KEPT = "single-keys";
+const KEY = "single-keys";
 /** Where letters are typed, or keys have a meaning of their own. */
-const TAKEN = [
+const IGNORED_IN = [
   "input:not([type=range], [type=checkbox], [type=radio], [type=file])",
   "select, textarea, [contenteditable]",
   "dialog[open], .cm-editor",
@@ -14,8 +14,8 @@ const TAKEN = [
 
 const ACTIONS: Record<string, () => void> = {
   "/": openSearch,
-  "[": () => turn("prev"),
-  "]": () => turn("next"),
+  "[": () => turnPage("prev"),
+  "]": () => turnPage("next"),
   "?": openCard,
 };
 
@@ -23,36 +23,36 @@ const ACTIONS: Record<string, () => void> = {
 export function install() {
   document.addEventListener("keydown", (event) => {
     const action = ACTIONS[event.key];
-    if (!action || !isPlain(event) || recall(KEPT) === false) return;
-    if (within(event, TAKEN, Element)) return;
+    if (!action || !isUnmodified(event) || loadItem(KEY) === false) return;
+    if (closestTo(event, IGNORED_IN, Element)) return;
     event.preventDefault();
     action();
   });
   document.addEventListener("click", (event) => {
-    if (within(event, "[data-keys]", Element)) openCard();
-    const card = within(event, "dialog.keys", HTMLDialogElement);
-    if (card && (event.target === card || within(event, "[data-close]", Element))) card.close();
+    if (closestTo(event, "[data-keys]", Element)) openCard();
+    const card = closestTo(event, "dialog.keys", HTMLDialogElement);
+    if (card && (event.target === card || closestTo(event, "[data-close]", Element))) card.close();
   });
   document.addEventListener("change", (event) => {
-    const box = within(event, "input[name=single-keys]", HTMLInputElement);
-    if (box) remember(KEPT, box.checked ? null : false);
+    const box = closestTo(event, "input[name=single-keys]", HTMLInputElement);
+    if (box) saveItem(KEY, box.checked ? null : false);
   });
 }
 
 /** Some keyboards need AltGr for brackets, which some systems tell as Control and Alt. */
-function isPlain(event: KeyboardEvent) {
+function isUnmodified(event: KeyboardEvent) {
   const { ctrlKey, altKey, metaKey, isComposing, defaultPrevented } = event;
   const modified = (ctrlKey || altKey) && !event.getModifierState("AltGraph");
   return !modified && !metaKey && !isComposing && !defaultPrevented;
 }
 
-function turn(side: "prev" | "next") {
-  maybe(document, `.pager a[rel=${side}]`, HTMLAnchorElement)?.click();
+function turnPage(side: "prev" | "next") {
+  findOptional(document, `.pager a[rel=${side}]`, HTMLAnchorElement)?.click();
 }
 
 function openCard() {
-  const card = maybe(document, "dialog.keys", HTMLDialogElement);
+  const card = findOptional(document, "dialog.keys", HTMLDialogElement);
   if (!card) return;
-  one(card, "input", HTMLInputElement).checked = recall(KEPT) !== false;
+  find(card, "input", HTMLInputElement).checked = loadItem(KEY) !== false;
   card.showModal();
 }

@@ -6,14 +6,14 @@
  */
 
 import { isMetered } from "./data_saver.ts";
-import { opened } from "./deeper.ts";
-import { all, hashTarget, isPlain, unfold, within } from "./dom.ts";
-import { notice } from "./notice.ts";
+import { openFolds } from "./deeper.ts";
+import { findAll, hashTarget, isPlainClick, unfold, closestTo } from "./dom.ts";
+import { showNotice } from "./notice.ts";
 import { isOfRelease } from "./release.ts";
 import { words } from "./words.ts";
 
 /** What a head says of its own page, or with addresses relative to it. */
-const OF_A_PAGE = [
+const PAGE_METADATA = [
   'meta[name="description"]',
   'meta[property^="og:"]',
   ...["canonical", "alternate", "manifest"].map((rel) => `link[rel="${rel}"]`),
@@ -26,7 +26,7 @@ const OF_A_PAGE = [
 const STYLES = /<style>[\s\S]*?<\/style>/;
 
 let turning: AbortController | null = null;
-let shownPath = location.pathname;
+let currentPath = location.pathname;
 let scrollTimer = 0;
 
 /** What a part of pages does. */
@@ -36,45 +36,46 @@ export interface Part {
   /** A page has come into place. */
   arrive?(): void;
   /** The address has become another one of the same page. */
-  returned?(): void;
+  followAddress?(): void;
   /** The page is about to make way for another; its address may be that one's already. */
   leave?(page: string): void;
 }
 
 /** Install all parts of pages, and call them as pages come and go. */
-export function begin(pageParts: Part[]) {
-  const turned = () => {
+export function installParts(pageParts: Part[]) {
+  const arriveAll = () => {
     for (const part of pageParts) part.arrive?.();
   };
-  const leaveShown = () => {
-    for (const part of pageParts) part.leave?.(shownPath);
+  const leaveAll = () => {
+    for (const part of pageParts) part.leave?.(currentPath);
   };
   for (const part of pageParts) part.install();
   // All pages have the same ones, but from other addresses they are found by whole addresses only.
-  for (const link of all(document.head, 'link[rel$="icon"]', HTMLLinkElement)) {
+  for (const link of findAll(document.head, 'link[rel$="icon"]', HTMLLinkElement)) {
     link.setAttribute("href", link.href);
   }
-  turned();
-  for (const kind of HINTS) document.addEventListener(kind, hint, { passive: true });
+  arriveAll();
+  for (const kind of POINTING_EVENTS)
+    document.addEventListener(kind, prefetchPointed, { passive: true });
   history.scrollRestoration = "manual";
   if (history.state?.scroll !== undefined) restoreScroll();
-  addEventListener("pagehide", leaveShown);
+  addEventListener("pagehide", leaveAll);
   document.addEventListener("click", (event) => {
-    const link = within(event, "a[href]", HTMLAnchorElement);
-    const url = link && !event.defaultPrevented && isPlain(event) ? linkedPage(link) : null;
+    const link = closestTo(event, "a[href]", HTMLAnchorElement);
+    const url = link && !event.defaultPrevented && isPlainClick(event) ? linkedPage(link) : null;
     if (!url || document.querySelector("[data-unsaved]")) return; // of which the browser asks
     event.preventDefault();
     saveScroll();
-    turnTo(url, turned, () => {
-      leaveShown();
+    turnTo(url, arriveAll, () => {
+      leaveAll();
       history.pushState({}, "", url);
     });
   });
   addEventListener("popstate", () => {
-    if (isArrived()) {
+    if (isAddressCurrent()) {
       restoreScroll();
-      for (const part of pageParts) part.returned?.();
-    } else turnTo(new URL(location.href), turned, leaveShown);
+      for (const part of pageParts) part.followAddress?.();
+    } else turnTo(new URL(location.href), arriveAll, leaveAll);
   });
   addEventListener("scroll", () => {
     clearTimeout(scrollTimer);
@@ -84,39 +85,39 @@ export function begin(pageParts: Part[]) {
 }
 
 /** Whether the address is of the page that is shown, and not of one that is still fetched. */
-export function isArrived() {
-  return location.pathname === shownPath;
+export function isAddressCurrent() {
+  return location.pathname === currentPath;
 }
 
-async function turnTo(url: URL, turned: () => void, commit: () => void) {
+async function turnTo(url: URL, arriveAll: () => void, commit: () => void) {
   turning?.abort();
   turning = new AbortController();
   const { signal } = turning;
   try {
-    const page = parsed(url, await fetchPage(url, signal));
+    const page = parseBookPage(url, await fetchPage(url, signal));
     if (signal.aborted) return;
     commit();
-    const rest = hashTarget() || history.state?.scroll ? null : takeRest(page);
+    const rest = hashTarget() || history.state?.scroll ? null : detachLowerBlocks(page);
     putInPlace(page);
-    shownPath = location.pathname;
+    currentPath = location.pathname;
     if (rest) await firstFrame();
     if (signal.aborted) return;
     rest?.();
-    turned();
+    arriveAll();
     document.getElementById("main")?.focus({ preventScroll: true });
     restoreScroll();
   } catch (error) {
     if (signal.aborted) return;
-    if (!(error instanceof HostError)) location.assign(url);
+    if (!(error instanceof HostUnreachable)) location.assign(url);
     else {
-      const again = () => turnTo(url, turned, commit);
-      notice(words("page.away"), { label: words("page.again"), act: again });
+      const again = () => turnTo(url, arriveAll, commit);
+      showNotice(words("page.away"), { label: words("page.again"), act: again });
     }
   }
 }
 
 /** The page, if it belongs to the same build of the book. */
-function parsed(url: URL, loaded: Page): Document {
+function parseBookPage(url: URL, loaded: Page): Document {
   const { type, redirected } = loaded;
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
   const page = loaded.early ?? parse(loaded);
@@ -133,8 +134,8 @@ function parse({ text }: Page) {
 /** Called when the address is already the new page's, so that relative links resolve. */
 function putInPlace(page: Document) {
   document.title = page.title;
-  const old = document.head.querySelectorAll(OF_A_PAGE);
-  document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
+  const old = document.head.querySelectorAll(PAGE_METADATA);
+  document.head.append(...page.head.querySelectorAll(PAGE_METADATA));
   for (const part of old) part.remove();
   for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
   Object.assign(document.body.dataset, page.body.dataset);
@@ -150,7 +151,7 @@ const FIRST_BLOCKS = 16;
  *
  * @returns Puts it back; null where there is none.
  */
-function takeRest(page: Document) {
+function detachLowerBlocks(page: Document) {
   const blocks = [...(page.querySelector("article.chapter")?.children ?? [])].slice(FIRST_BLOCKS);
   const place = page.createComment("");
   if (blocks.length === 0) return null;
@@ -160,9 +161,9 @@ function takeRest(page: Document) {
 }
 
 /** Longest wait for a first frame, in milliseconds. */
-const SOON = 300;
+const FIRST_FRAME_MS = 300;
 
-/** Until the first figure is live, the reader goes on, or `SOON` has passed. */
+/** Until the first figure is live, the reader goes on, or `FIRST_FRAME_MS` has passed. */
 function firstFrame(): Promise<void> {
   return new Promise((resolve) => {
     const seen = new MutationObserver(() => isLive() && done());
@@ -175,7 +176,7 @@ function firstFrame(): Promise<void> {
     };
     seen.observe(document, { subtree: true, attributeFilter: ["data-state"] });
     for (const kind of kinds) addEventListener(kind, done, { once: true, passive: true });
-    setTimeout(done, SOON);
+    setTimeout(done, FIRST_FRAME_MS);
     if (!document.querySelector("simulation-figure")) done();
   });
 }
@@ -197,24 +198,24 @@ function jumpTo(top: number) {
 
 function saveScroll() {
   clearTimeout(scrollTimer);
-  if (!isArrived()) return;
-  const state = { ...history.state, scroll: Math.round(scrollY), opened: opened() };
+  if (!isAddressCurrent()) return;
+  const state = { ...history.state, scroll: Math.round(scrollY), opened: openFolds() };
   history.replaceState(state, "");
 }
 
-const HINTS = ["pointerover", "focusin", "touchstart"];
+const POINTING_EVENTS = ["pointerover", "focusin", "touchstart"];
 /** Milliseconds after which a page is fetched again, as the book may have been built anew. */
-const VALID = 60_000;
+const VALID_MS = 60_000;
 
 type Page = { text: string; type: string; redirected: boolean; early?: Document };
 
 const prefetched: Map<string, { time: number; page: Promise<Page | null> }> = new Map();
 
 /** The host does not answer. */
-class HostError extends Error {}
+class HostUnreachable extends Error {}
 
-function hint(event: Event) {
-  const link = within(event, "a[href]", HTMLAnchorElement);
+function prefetchPointed(event: Event) {
+  const link = closestTo(event, "a[href]", HTMLAnchorElement);
   const url = link && linkedPage(link);
   if (url && navigator.onLine && !isMetered()) {
     prefetch(url).then((page) => {
@@ -226,13 +227,13 @@ function hint(event: Event) {
 /** @returns Null where the page does not arrive. */
 export function prefetch({ origin, pathname }: URL): Promise<Page | null> {
   const found = prefetched.get(pathname);
-  if (found && performance.now() - found.time < VALID) return found.page;
+  if (found && performance.now() - found.time < VALID_MS) return found.page;
   const page = load(origin + pathname).catch(() => null);
   prefetched.set(pathname, { time: performance.now(), page });
   return page;
 }
 
-/** A page of the book, prefetched or fetched now; `HostError` where the host does not answer. */
+/** A page of the book, prefetched or fetched now; `HostUnreachable` where the host does not answer. */
 async function fetchPage(url: URL, signal: AbortSignal): Promise<Page> {
   const early = prefetched.has(url.pathname) ? await prefetch(url) : null;
   return early ?? load(url.href, signal);
@@ -240,7 +241,7 @@ async function fetchPage(url: URL, signal: AbortSignal): Promise<Page> {
 
 async function load(address: string, signal?: AbortSignal): Promise<Page> {
   const reply = await fetch(address, { signal }).catch((error) => {
-    throw new HostError(error);
+    throw new HostUnreachable(error);
   });
   if (!reply.ok) throw new Error("not a page of the book");
   const { redirected, headers } = reply;

@@ -1,11 +1,11 @@
 /** A line at the foot of the window, for what concerns the whole page: said once, in nobody's way. */
 
-import { element, maybe } from "./dom.ts";
+import { element, findOptional } from "./dom.ts";
 import { words } from "./words.ts";
 
 /** Say it, in place of what was said before; `offer` is a button that does something about it. */
-export function notice(text: string, offer?: { label: string; act: () => void }) {
-  maybe(document, ".notice", HTMLElement)?.remove();
+export function showNotice(text: string, offer?: { label: string; act: () => void }) {
+  findOptional(document, ".notice", HTMLElement)?.remove();
   const line = element("div", "notice floats row box screen");
   line.role = "status";
   document.body.append(line); // before it says something, so that this is read out

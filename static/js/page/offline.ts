@@ -1,19 +1,19 @@
 /** Has the whole book stored on the device, once the page is at rest and where that costs nothing. */
 
-import { message } from "../errors.ts";
+import { errorText } from "../errors.ts";
 import { STORAGE } from "../book.js";
 import { findLoadError } from "../runtime/load_error.ts";
 import { isMetered } from "./data_saver.ts";
-import { maybe } from "./dom.ts";
-import { notice } from "./notice.ts";
+import { findOptional } from "./dom.ts";
+import { showNotice } from "./notice.ts";
 import { words } from "./words.ts";
 
 /** Milliseconds between two looks at whether the figures have started. */
-const LOOK = 1000;
+const CHECK_MS = 1000;
 /** Milliseconds after which the book is stored even if they have not. */
-const LONGEST = 60_000;
+const LONGEST_WAIT_MS = 60_000;
 /** Milliseconds between two requests for a new release. */
-const AGAIN = 3_600_000;
+const UPDATE_MS = 3_600_000;
 
 /** Ask for it in the background; where service workers are not to be had, nothing happens. */
 export function install() {
@@ -22,16 +22,16 @@ export function install() {
   if (offline === undefined || !workers || isMetered()) return;
   const address = new URL(`${root}sw.js`, location.href);
   workers.addEventListener("message", async ({ data }) => {
-    complain(workers, data.problem || (await wrongWith(data.address)));
+    reportNotStored(workers, data.problem || (await fileProblem(data.address)));
   });
   const begun = performance.now();
-  const look = () => {
+  const check = () => {
     const starting = document.querySelector('simulation-figure[data-state="starting"]');
-    const isLate = performance.now() - begun > LONGEST;
-    if (document.readyState === "complete" && (!starting || isLate)) store(workers, address);
-    else setTimeout(look, LOOK);
+    const isLate = performance.now() - begun > LONGEST_WAIT_MS;
+    if (document.readyState === "complete" && (!starting || isLate)) register(workers, address);
+    else setTimeout(check, CHECK_MS);
   };
-  setTimeout(look, LOOK);
+  setTimeout(check, CHECK_MS);
 }
 
 /** Null where the browser has none, or denies it as in a sandboxed frame. */
@@ -43,27 +43,27 @@ function serviceWorkers() {
   }
 }
 
-async function store(workers: ServiceWorkerContainer, address: URL) {
+async function register(workers: ServiceWorkerContainer, address: URL) {
   setInterval(async () => {
     const registration = await workers.register(address).catch(() => null);
     registration?.update().catch(() => {}); // the network may be away
-  }, AGAIN);
+  }, UPDATE_MS);
   try {
     await workers.register(address);
   } catch (error) {
-    complain(workers, await wrongWith(address.href, message(error)));
+    reportNotStored(workers, await fileProblem(address.href, errorText(error)));
   }
 }
 
-/** @param otherwise Said where nothing is wrong with the file. */
-async function wrongWith(address: string, otherwise: string = "") {
+/** @param otherwise The reason where nothing is wrong with the file. */
+async function fileProblem(address: string, otherwise: string = "") {
   const { data } = await findLoadError(address);
   return (data.kind === "other" && otherwise) || words(`runtime.${data.kind}`, data);
 }
 
 /** Say once in a visit why the book can only be read from the network. */
-function complain({ controller }: ServiceWorkerContainer, reason: string) {
-  if (controller || maybe(document, ".notice", HTMLElement)) return;
+function reportNotStored({ controller }: ServiceWorkerContainer, reason: string) {
+  if (controller || findOptional(document, ".notice", HTMLElement)) return;
   const key = `${STORAGE}not-stored`;
   try {
     if (sessionStorage.getItem(key)) return;
@@ -71,5 +71,5 @@ function complain({ controller }: ServiceWorkerContainer, reason: string) {
   } catch {
     // It is said of each page that is loaded.
   }
-  notice(words("page.not_stored", { reason }));
+  showNotice(words("page.not_stored", { reason }));
 }

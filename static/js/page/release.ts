@@ -1,13 +1,13 @@
 /** A new release of the book, as an open page notices it. */
 
-import { notice } from "./notice.ts";
+import { showNotice } from "./notice.ts";
 import { words } from "./words.ts";
 
 /** What browsers say of a script that is requested late and does not arrive. */
 const MISSING = /dynamically imported module|[Ii]mporting a module script/;
 
 /** Whether a script that was requested late did not arrive, or is none. */
-function isMissing(reason: unknown) {
+function isMissingScript(reason: unknown) {
   return reason instanceof SyntaxError || (reason instanceof Error && MISSING.test(reason.message));
 }
 
@@ -15,12 +15,12 @@ function isMissing(reason: unknown) {
  * Of the page that was loaded; those that were turned to are of the same release. (On the way back to
  * a page the address is that one's before its text has come.)
  */
-const OWN = folders(document, location.href);
+const CURRENT = releaseFolders(document, location.href);
 
 /** Whatever a press asks for may have gone with its release, or its host: called once. */
 export function install() {
   addEventListener("unhandledrejection", async (event) => {
-    if (!isMissing(event.reason)) return;
+    if (!isMissingScript(event.reason)) return;
     event.preventDefault();
     if (!(await offerRelease())) offerReload("page.missing");
   });
@@ -41,7 +41,7 @@ export async function offerRelease(): Promise<boolean> {
 
 /** Some browsers request a script that did not arrive only once in a page. */
 function offerReload(key: string) {
-  notice(words(key), { label: words("page.reload"), act: () => location.reload() });
+  showNotice(words(key), { label: words("page.reload"), act: () => location.reload() });
 }
 
 /**
@@ -51,10 +51,10 @@ function offerReload(key: string) {
  * @param address The page's own.
  */
 export function isOfRelease(page: Document, address: string = location.href) {
-  return folders(page, address) === OWN;
+  return releaseFolders(page, address) === CURRENT;
 }
 
-function folders({ body: { dataset } }: Document, address: string) {
+function releaseFolders({ body: { dataset } }: Document, address: string) {
   const all = [dataset.assets, dataset.runtime];
   return all.map((folder) => folder && new URL(folder, address).href).join();
 }

@@ -4,42 +4,45 @@
  * pushed sideways, which can be focused so that arrow keys push it.
  */
 
-import { all, maybe } from "./dom.ts";
+import { findAll, findOptional } from "./dom.ts";
 
 /** Where a line of text is dear: the header leaves as one reads on, and comes as one goes back. */
-const SMALL = matchMedia("(max-width: 60rem), (max-height: 30rem)");
+const SMALL_SCREEN = matchMedia("(max-width: 60rem), (max-height: 30rem)");
 /** Scrolled, in pixels, before the header leaves or comes. */
 const SLACK = 24;
 
 /** Where the reader last began to go the other way. */
 let turnedAt = 0;
-let asked = false;
+let isScheduled = false;
 
 /** Called once. */
 export function install() {
-  addEventListener("scroll", ask, { passive: true });
-  addEventListener("resize", ask);
+  addEventListener("scroll", schedule, { passive: true });
+  addEventListener("resize", schedule);
   addEventListener("hashchange", () => openContents()?.hidePopover());
 }
 
-function ask() {
-  if (asked) return;
-  asked = true;
-  requestAnimationFrame(follow);
+function schedule() {
+  if (isScheduled) return;
+  isScheduled = true;
+  requestAnimationFrame(updateHeader);
 }
 
-function follow() {
-  asked = false;
-  const header = maybe(document, ".site-header", HTMLElement);
+function updateHeader() {
+  isScheduled = false;
+  const header = findOptional(document, ".site-header", HTMLElement);
   if (!header) return;
-  header.style.setProperty("--read", read().toFixed(4));
+  header.style.setProperty("--read", shareRead().toFixed(4));
   const stays =
-    !SMALL.matches || scrollY < 200 || header.matches(":focus-within") || openContents() !== null;
-  header.classList.toggle("away", !stays && isAway(header.classList.contains("away")));
+    !SMALL_SCREEN.matches ||
+    scrollY < 200 ||
+    header.matches(":focus-within") ||
+    openContents() !== null;
+  header.classList.toggle("away", !stays && isHeaderAway(header.classList.contains("away")));
 }
 
 /** Whether the header should be away, where it may, and `away` says that it is. */
-function isAway(away: boolean) {
+function isHeaderAway(away: boolean) {
   turnedAt = away ? Math.max(turnedAt, scrollY) : Math.min(turnedAt, scrollY);
   if (Math.abs(scrollY - turnedAt) <= SLACK) return away;
   turnedAt = scrollY;
@@ -47,21 +50,21 @@ function isAway(away: boolean) {
 }
 
 /** The part of the chapter that has passed the lower edge of the window, once it was scrolled. */
-function read() {
-  const article = maybe(document, "article.chapter", HTMLElement);
+function shareRead() {
+  const article = findOptional(document, "article.chapter", HTMLElement);
   if (!article) return 0;
   const { top, height } = article.getBoundingClientRect();
-  const way = height + top + scrollY - innerHeight;
-  return way > 0 ? Math.min(Math.max(scrollY / way, 0), 1) : 1;
+  const range = height + top + scrollY - innerHeight;
+  return range > 0 ? Math.min(Math.max(scrollY / range, 0), 1) : 1;
 }
 
 function openContents() {
-  return maybe(document, "#contents:popover-open", HTMLElement);
+  return findOptional(document, "#contents:popover-open", HTMLElement);
 }
 
 /** Called for each page. */
 export function arrive() {
-  ask();
+  schedule();
   watchSections();
   watchScrollers();
 }
@@ -70,34 +73,34 @@ export function arrive() {
 const LINE = 0.35;
 
 /** All that lies above counts as in sight: a jump over a heading is noticed, too. */
-const headings = new IntersectionObserver(markSection, {
+const headings = new IntersectionObserver(markCurrentSection, {
   rootMargin: `9999999px 0px -${100 * (1 - LINE)}% 0px`,
 });
 
 function watchSections() {
   headings.disconnect();
-  for (const heading of listed()) headings.observe(heading);
+  for (const heading of listedHeadings()) headings.observe(heading);
 }
 
 /** The headings that the contents list and that are not folded up, in the order of the page. */
-function listed() {
-  const links = all(document, "#contents .sections a", HTMLAnchorElement);
-  return links.flatMap((link) => document.getElementById(idOf(link)) ?? []).filter(isShown);
+function listedHeadings() {
+  const links = findAll(document, "#contents .sections a", HTMLAnchorElement);
+  return links.flatMap((link) => document.getElementById(idOf(link)) ?? []).filter(isVisible);
 }
 
-function markSection() {
-  const current = listed().findLast(
+function markCurrentSection() {
+  const current = listedHeadings().findLast(
     (heading) => heading.getBoundingClientRect().top < LINE * innerHeight,
   );
-  for (const link of all(document, ".sections a", HTMLAnchorElement)) {
+  for (const link of findAll(document, ".sections a", HTMLAnchorElement)) {
     const isCurrent = current !== undefined && idOf(link) === current.id;
     link.ariaCurrent = isCurrent ? "location" : null;
-    if (isCurrent) reveal(link);
+    if (isCurrent) scrollListTo(link);
   }
 }
 
 /** Scroll the list, and nothing else, so that the link is in sight. */
-function reveal(link: HTMLElement) {
+function scrollListTo(link: HTMLElement) {
   const list = link.closest(".contents > ol");
   if (!list || list.scrollHeight <= list.clientHeight) return;
   const [inner, outer] = [link.getBoundingClientRect(), list.getBoundingClientRect()];
@@ -110,32 +113,34 @@ function idOf(link: HTMLAnchorElement) {
   return decodeURIComponent(link.hash.slice(1));
 }
 
-const BOXES =
+const SCROLLERS =
   ".other-panels, .formula, .table-wrapper, .nowrap, :is(p, li, .explanation) > math, pre";
 
-const sizes = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
+const sizes = new ResizeObserver((entries) => toggleFocusable(entries.map(({ target }) => target)));
 
 function watchScrollers() {
   sizes.disconnect();
-  for (const box of document.querySelectorAll(BOXES)) sizes.observe(box);
+  for (const box of document.querySelectorAll(SCROLLERS)) sizes.observe(box);
   // A font that comes late makes the contents wider, and not the box. What is not shown, as it is
   // folded up, is not laid out for this: the observer tells of it once it is.
-  document.fonts.ready.then(() => mark([...document.querySelectorAll(BOXES)].filter(isShown)));
+  document.fonts.ready.then(() =>
+    toggleFocusable([...document.querySelectorAll(SCROLLERS)].filter(isVisible)),
+  );
 }
 
-function isShown(box: Element) {
+function isVisible(box: Element) {
   return box.checkVisibility?.({ contentVisibilityAuto: true }) ?? true;
 }
 
 /** All are looked at before one is changed, or the page would be laid out for each. */
-function mark(boxes: Element[]) {
-  const wrong = boxes.filter((box) => scrolls(box) !== box.hasAttribute("tabindex"));
+function toggleFocusable(boxes: Element[]) {
+  const wrong = boxes.filter((box) => isScrollable(box) !== box.hasAttribute("tabindex"));
   for (const box of wrong) {
     if (box.hasAttribute("tabindex")) box.removeAttribute("tabindex");
     else box.setAttribute("tabindex", "0");
   }
 }
 
-function scrolls(box: Element) {
+function isScrollable(box: Element) {
   return box.scrollWidth > box.clientWidth + 1 && getComputedStyle(box).overflowX !== "visible";
 }

@@ -17,7 +17,7 @@ const isName: Check = (value) => typeof value === "string" && value.length <= LO
 const isObject: Check = (value) => typeof value === "object" && value !== null;
 
 /** Whether a value can be an answer to any question. */
-export const isGiven: Check = (value) => {
+export const isAnswer: Check = (value) => {
   if (typeof value?.code === "string") return Number.isInteger(value.reply);
   const numbers = Array.isArray(value) ? value : [value];
   return numbers.length <= MOST_NUMBERS && numbers.every(Number.isFinite);
@@ -29,37 +29,37 @@ const isEdit: Check = (edit) => isObject(edit) && typeof edit.text === "string";
 const SHAPES: Record<string, Check> = {
   quiz: (entry) =>
     isName(entry.edition) &&
-    isGiven(entry.answer) &&
+    isAnswer(entry.answer) &&
     typeof entry.right === "boolean" &&
-    isGiven(entry.first ?? 0),
-  predict: (entry) => isName(entry.edition) && isGiven(entry.guess === null ? 0 : entry.guess),
+    isAnswer(entry.first ?? 0),
+  predict: (entry) => isName(entry.edition) && isAnswer(entry.guess === null ? 0 : entry.guess),
   code: ({ text }) => typeof text === "string",
   python: ({ edits }) => isObject(edits) && Object.values(edits).every(isEdit),
 };
 
 /** Whether a value, from the storage or from a file, has the shape of what is kept under `name`. */
-export function isSound(name: string, value: any): boolean {
+export function hasValidShape(name: string, value: any): boolean {
   const [kind] = name.split(":", 1);
   return !Object.hasOwn(SHAPES, kind) || (isObject(value) && SHAPES[kind](value));
 }
 
 /** What could not be stored. */
-const passing: Map<string, unknown> = new Map();
+const unstored: Map<string, unknown> = new Map();
 
 /** What a reader would miss. */
-const DEAR = /^(quiz|predict|python|code):/;
+const REPORTED = /^(quiz|predict|python|code):/;
 let isReported = false;
 
 /** Dispatched on `window` when something dear could not be stored, once. */
-export const FORGETFUL = "forgetful";
+export const STORAGE_FAILED = "storage-failed";
 
 /** What was remembered under `key`, or null; what is too long or of another shape is dropped. */
-export function recall(key: string): any {
-  if (passing.has(key)) return passing.get(key);
+export function loadItem(key: string): any {
+  if (unstored.has(key)) return unstored.get(key);
   try {
     const text = localStorage.getItem(STORAGE + key) ?? "null";
     const value = text.length > LONGEST ? undefined : JSON.parse(text);
-    if (value === null || (value !== undefined && isSound(key, value))) return value;
+    if (value === null || (value !== undefined && hasValidShape(key, value))) return value;
   } catch {
     // Denied, or no JSON.
   }
@@ -68,43 +68,43 @@ export function recall(key: string): any {
 }
 
 /** Remember `value` under `key`; null forgets. */
-export function remember(key: string, value: unknown) {
+export function saveItem(key: string, value: unknown) {
   try {
     if (value === null) localStorage.removeItem(STORAGE + key);
     else localStorage.setItem(STORAGE + key, JSON.stringify(value));
-    passing.delete(key);
+    unstored.delete(key);
   } catch {
-    passing.set(key, value);
-    if (isReported || value === null || !DEAR.test(key)) return;
+    unstored.set(key, value);
+    if (isReported || value === null || !REPORTED.test(key)) return;
     isReported = true;
-    dispatchEvent(new Event(FORGETFUL));
+    dispatchEvent(new Event(STORAGE_FAILED));
   }
 }
 
 /** Follow what another tab remembers or forgets, by its key; null where all was forgotten. */
-export function onOtherTab(changed: (key: string | null) => void) {
+export function onOtherTabChange(changed: (key: string | null) => void) {
   addEventListener("storage", ({ key, storageArea }) => {
     if ((key !== null && !key.startsWith(STORAGE)) || storageArea === sessionStorage) return;
     const own = key?.slice(STORAGE.length) ?? null;
-    if (own) passing.delete(own); // theirs came later
+    if (own) unstored.delete(own); // theirs came later
     changed(own);
   });
 }
 
 /** All that was remembered under names that fit. */
-export function stored(names: RegExp): Record<string, unknown> {
+export function storedItems(names: RegExp): Record<string, unknown> {
   let stored: string[] = [];
   try {
     stored = Object.keys(localStorage).filter((key) => key.startsWith(STORAGE));
   } catch {
     // Denied: there is only what passes.
   }
-  const keys = new Set([...stored.map((key) => key.slice(STORAGE.length)), ...passing.keys()]);
-  const fitting = [...keys].filter((key) => names.test(key)).map((key) => [key, recall(key)]);
+  const keys = new Set([...stored.map((key) => key.slice(STORAGE.length)), ...unstored.keys()]);
+  const fitting = [...keys].filter((key) => names.test(key)).map((key) => [key, loadItem(key)]);
   return Object.fromEntries(fitting.filter(([, value]) => value !== null));
 }
 
 /** Forget what was remembered under names that fit. */
-export function forget(names: RegExp) {
-  for (const key of Object.keys(stored(names))) remember(key, null);
+export function removeItems(names: RegExp) {
+  for (const key of Object.keys(storedItems(names))) saveItem(key, null);
 }

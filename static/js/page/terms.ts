@@ -4,7 +4,7 @@
  * glossary, as it stays for a click.
  */
 
-import { within } from "./dom.ts";
+import { closestTo } from "./dom.ts";
 
 /** Before a definition opens under a mouse that may only be passing, and before it closes. */
 const PAUSE = 180;
@@ -42,11 +42,11 @@ export function install() {
 }
 
 function markOf(event: Event) {
-  return within(event, "a.term", HTMLAnchorElement);
+  return closestTo(event, "a.term", HTMLAnchorElement);
 }
 
 function isInside(event: Event) {
-  return within(event, ".definition", HTMLElement) !== null;
+  return closestTo(event, ".definition", HTMLElement) !== null;
 }
 
 function definitionOf(mark: HTMLAnchorElement) {

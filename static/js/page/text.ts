@@ -12,7 +12,7 @@ export function setAttribute(element: Element, name: string, value: string) {
   if (element.getAttribute(name) !== value) element.setAttribute(name, value);
 }
 
-/** `16.0 px`, on one line; degrees stand close: as `with_unit` of the builder's quantities.py. */
+/** `16.0 px`, on one line; degrees stand close: as `with_unit` of `site_builder/benchmarks/judgements.py`. */
 export function withUnit(text: string, unit: string) {
   return text + (unit === "" || unit === "°" ? "" : "\u00a0") + unit;
 }

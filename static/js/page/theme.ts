@@ -4,7 +4,7 @@
  */
 
 import { STORAGE } from "../book.js";
-import { all, within } from "./dom.ts";
+import { findAll, closestTo } from "./dom.ts";
 import { words } from "./words.ts";
 
 type Theme = "system" | "light" | "dark";
@@ -15,7 +15,7 @@ const DARK = matchMedia("(prefers-color-scheme: dark)");
 /** Listen for the theme button on any page. */
 export function install() {
   document.addEventListener("click", (event) => {
-    if (!within(event, ".theme-toggle", Element)) return;
+    if (!closestTo(event, ".theme-toggle", Element)) return;
     setTheme(nextTheme());
     arrive();
   });
@@ -24,7 +24,7 @@ export function install() {
 /** Let every theme button say which theme is on. */
 export function arrive() {
   const name = words(`theme.${currentTheme()}`);
-  for (const button of all(document, ".theme-toggle", HTMLButtonElement)) {
+  for (const button of findAll(document, ".theme-toggle", HTMLButtonElement)) {
     button.dataset.choice = currentTheme();
     button.setAttribute("aria-label", words("theme.label", { name }));
     button.title = words("theme.title", { name });

@@ -16,10 +16,10 @@ export function words(key: string, values: Record<string, string | number> = {})
  * What the engine says, in the language of the book; what a scene, or Python itself, says is text.
  * As `simulations/engine/message.py`.
  */
-export type Said = { key: string; values: Record<string, string> };
+export type Message = { key: string; values: Record<string, string> };
 
-export function inWords(said: string | Said) {
-  return typeof said === "string" ? said : words(said.key, said.values);
+export function messageText(message: string | Message) {
+  return typeof message === "string" ? message : words(message.key, message.values);
 }
 
 /**
@@ -43,7 +43,7 @@ export function fromNumeral(text: string) {
  * set apart, a power of ten, and digits of any width; NaN of what is none. Of `1,000`, in which the sign may be either, the book's
  * language decides.
  */
-export function numberTyped(text: string) {
+export function parseNumber(text: string) {
   const bare = text
     .replace(/(?<=10)[⁺⁻⁰¹²³⁴-⁹]+/, "^$&")
     .normalize("NFKC")

@@ -3,13 +3,13 @@
  * question, in tables and as one file.
  */
 
-import { message } from "../errors.ts";
-import { csv, data, download, element, one } from "../page/dom.ts";
+import { errorText } from "../errors.ts";
+import { csv, data, download, element, find } from "../page/dom.ts";
 import { numeral, words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
-import type { Given, Question } from "./question.ts";
+import type { Answer, Question } from "./question.ts";
 
-interface Asked extends Question {
+interface ClassQuestion extends Question {
   name: string;
   /** Its address, from the site's root. */
   place: string;
@@ -17,21 +17,21 @@ interface Asked extends Question {
   tolerance?: number;
 }
 
-interface Try {
+interface Attempt {
   text: string;
   right: boolean;
 }
 
 /** Answers of one student to one question. */
-interface Tried {
+interface StudentAttempts {
   who: string;
-  first: Try;
-  last: Try;
+  first: Attempt;
+  last: Attempt;
 }
 
 interface Result {
-  question: Asked;
-  tried: Tried[];
+  question: ClassQuestion;
+  tried: StudentAttempts[];
   /** The wrong answer that most gave at first, and how many. */
   trap: [string, number] | null;
 }
@@ -40,13 +40,13 @@ interface Result {
 type Answers = Record<string, any>;
 
 /** The questions that anyone has answered; answers to other editions of them are left out. */
-function resultsOf(questions: Asked[], files: Map<string, Answers>): Result[] {
+function resultsOf(questions: ClassQuestion[], files: Map<string, Answers>): Result[] {
   const results = questions.map((question) => {
     const tried = [...files].flatMap(([who, answers]) => {
       const entry = answers[`quiz:${question.id}`];
       if (entry?.edition !== question.edition) return [];
-      const last = judged(question, entry.answer);
-      const first = judged(question, entry.first) ?? last;
+      const last = attemptOf(question, entry.answer);
+      const first = attemptOf(question, entry.first) ?? last;
       return first && last ? [{ who, first, last }] : [];
     });
     return { question, tried, trap: trapOf(tried) };
@@ -54,13 +54,13 @@ function resultsOf(questions: Asked[], files: Map<string, Answers>): Result[] {
   return results.filter(({ tried }) => tried.length > 0);
 }
 
-function judged(question: Asked, given: Given | undefined): Try | null {
+function attemptOf(question: ClassQuestion, given: Answer | undefined): Attempt | null {
   const kind = KINDS[question.kind];
   if (given === undefined || !kind.fits(question, given)) return null;
   return { text: textOf(question, given), right: kind.judge(question, given).right };
 }
 
-function textOf({ options, tolerance }: Asked, given: Given) {
+function textOf({ options, tolerance }: ClassQuestion, given: Answer) {
   if (typeof given === "object" && "code" in given) return given.code;
   const places = [given].flat();
   return tolerance === undefined
@@ -68,7 +68,7 @@ function textOf({ options, tolerance }: Asked, given: Given) {
     : places.map((value) => numeral(String(value))).join(" ");
 }
 
-function trapOf(tried: Tried[]): [string, number] | null {
+function trapOf(tried: StudentAttempts[]): [string, number] | null {
   const counts = new Map<string, number>();
   for (const { first } of tried) {
     if (!first.right) counts.set(first.text, (counts.get(first.text) ?? 0) + 1);
@@ -86,26 +86,33 @@ export async function showClass(
   files: Iterable<File>,
   progressIn: (file: File) => Promise<{ who: string; answers: Answers }>,
 ) {
-  const read = new Map<string, Answers>();
-  const said: string[] = [];
+  const answersByStudent = new Map<string, Answers>();
+  const messages: string[] = [];
   for (const file of files) {
     try {
       const { who, answers } = await progressIn(file);
-      read.set(unused(who || file.name.replace(/\.json$/i, ""), read), answers);
+      answersByStudent.set(
+        uniqueName(who || file.name.replace(/\.json$/i, ""), answersByStudent),
+        answers,
+      );
     } catch (error) {
-      said.push(words("progress.not_read", { file: file.name, reason: message(error) }));
+      messages.push(words("progress.not_read", { file: file.name, reason: errorText(error) }));
     }
   }
-  results = resultsOf(data(page, "script.class-data") as Asked[], read);
-  said.unshift(words("class.merged", { count: read.size, questions: results.length }));
-  one(page, ".class-said", HTMLElement).textContent = said.join(" ");
-  one(page, ".class-csv", HTMLButtonElement).hidden = results.length === 0;
-  const place = one(page, ".class-tables", HTMLElement);
-  place.replaceChildren(...results.map((result) => shown(result, place.dataset.root ?? "")));
+  results = resultsOf(data(page, "script.class-data") as ClassQuestion[], answersByStudent);
+  messages.unshift(
+    words("class.merged", { count: answersByStudent.size, questions: results.length }),
+  );
+  find(page, ".class-status", HTMLElement).textContent = messages.join(" ");
+  find(page, ".class-csv", HTMLButtonElement).hidden = results.length === 0;
+  const place = find(page, ".class-tables", HTMLElement);
+  place.replaceChildren(
+    ...results.map((result) => resultElement(result, place.dataset.root ?? "")),
+  );
 }
 
 /** The name, numbered where two share it. */
-function unused(name: string, taken: ReadonlyMap<string, unknown>) {
+function uniqueName(name: string, taken: ReadonlyMap<string, unknown>) {
   let chosen = name;
   for (let number = 2; taken.has(chosen); number += 1) chosen = `${name} (${number})`;
   return chosen;
@@ -128,12 +135,12 @@ export function saveClass() {
   download("class.csv", mark + csv([head, ...rows]), "text/csv");
 }
 
-function shown({ question, tried, trap }: Result, root: string) {
+function resultElement({ question, tried, trap }: Result, root: string) {
   const [details, table] = [element("details"), element("table")];
   const right = (at: "first" | "last") => tried.filter((each) => each[at].right).length;
   const counts = { count: tried.length, first: right("first"), last: right("last") };
-  const said = trap ? ` ${words("class.trap", { answer: trap[0], count: trap[1] })}` : "";
-  const summary = `${question.name}: ${words("class.counts", counts)}${said}`;
+  const mistake = trap ? ` ${words("class.trap", { answer: trap[0], count: trap[1] })}` : "";
+  const summary = `${question.name}: ${words("class.counts", counts)}${mistake}`;
   const link = element("a", "", question.name);
   link.href = `${root}${question.place}`;
   table.append(
@@ -141,13 +148,13 @@ function shown({ question, tried, trap }: Result, root: string) {
       "th",
       ["class.who", "class.first", "class.last"].map((key) => words(key)),
     ),
-    ...tried.map(({ who, first, last }) => row("td", [who, marked(first), marked(last)])),
+    ...tried.map(({ who, first, last }) => row("td", [who, attemptText(first), attemptText(last)])),
   );
   details.append(element("summary", "", summary), link, table);
   return details;
 }
 
-function marked({ text, right }: Try) {
+function attemptText({ text, right }: Attempt) {
   return `${right ? "✓" : "✗"} ${text}`;
 }
 

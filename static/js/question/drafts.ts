@@ -4,16 +4,16 @@
  */
 
 import { STORAGE } from "../book.js";
-import { isGiven } from "../page/storage.ts";
+import { isAnswer } from "../page/storage.ts";
 import { KINDS } from "./book_kinds.js";
-import { forms, type Given, questionOf } from "./question.ts";
+import { forms, type Answer, questionOf } from "./question.ts";
 
 interface Draft {
   /** Edition of the question. */
   edition: string;
   /** The verdict on what was sent before, if anything was. */
   sent: string;
-  given: Given | null;
+  given: Answer | null;
 }
 
 const KEY = `${STORAGE}unsent`;
@@ -42,7 +42,7 @@ export function restoreDrafts() {
     untouched.set(form, JSON.stringify(draftOf(form)));
     const draft = unsent?.[form.id];
     const question = questionOf(form);
-    if (draft?.edition !== question.edition || !isGiven(draft.given)) continue;
+    if (draft?.edition !== question.edition || !isAnswer(draft.given)) continue;
     if (draft.sent !== (form.dataset.answered ?? "")) continue;
     const kind = KINDS[question.kind];
     if (kind.fits(question, draft.given)) kind.put?.(form, draft.given);

@@ -5,9 +5,9 @@
  * class are merged.
  */
 
-import { message } from "../errors.ts";
-import { all, data, element, maybe, one, within } from "../page/dom.ts";
-import { forget, recall } from "../page/storage.ts";
+import { errorText } from "../errors.ts";
+import { findAll, data, element, findOptional, find, closestTo } from "../page/dom.ts";
+import { loadItem, removeItems } from "../page/storage.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 
@@ -15,16 +15,16 @@ type Tally = { right: number; wrong: number; count: number };
 
 /** Tell it where the page has a place for it; of the book, once there is some. */
 export function showProgress() {
-  const section = maybe(document, "section.progress", HTMLElement);
+  const section = findOptional(document, "section.progress", HTMLElement);
   if (!section) return;
   const ofBook = section.dataset.progress === "book";
   const tally = ofBook ? tallyOfBook(section) : tallyOfPage();
-  setText(one(section, ".progress-count", HTMLElement), inWords(tally));
+  setText(find(section, ".progress-count", HTMLElement), tallyText(tally));
   if (!ofBook) listMissed(section);
   else if (tally.right + tally.wrong > 0) section.hidden = false;
 }
 
-function inWords({ right, wrong, count }: Tally) {
+function tallyText({ right, wrong, count }: Tally) {
   const open = count - right - wrong;
   const parts = [words("progress.answered", { right, count })];
   if (wrong > 0) parts.push(words("progress.missed", { count: wrong }));
@@ -42,7 +42,7 @@ function tallyOfBook(section: HTMLElement): Tally {
   const editions: Record<string, string> = data(section, "script.progress-data");
   const questions = Object.entries(editions);
   const answers = questions.flatMap(([id, edition]) => {
-    const answer = recall(`quiz:${id}`);
+    const answer = loadItem(`quiz:${id}`);
     return answer?.edition === edition ? [answer] : [];
   });
   const right = answers.filter((answer) => answer.right === true).length;
@@ -50,7 +50,7 @@ function tallyOfBook(section: HTMLElement): Tally {
 }
 
 function listMissed(section: HTMLElement) {
-  const list = one(section, ".missed", HTMLElement);
+  const list = find(section, ".missed", HTMLElement);
   const missed = forms().filter((form) => form.dataset.answered === "wrong");
   list.hidden = missed.length === 0;
   list.replaceChildren(
@@ -64,63 +64,63 @@ function listMissed(section: HTMLElement) {
 }
 
 function forms() {
-  return all(document, "form.quiz", HTMLFormElement);
+  return findAll(document, "form.quiz", HTMLFormElement);
 }
 
 /** Listen for them on any page. */
 export function install() {
   document.addEventListener("click", (event) => {
-    const section = within(event, "section.progress", HTMLElement);
+    const section = closestTo(event, "section.progress", HTMLElement);
     if (!section) return;
-    if (within(event, "[data-progress-reset]", Element)) reset(section);
-    if (within(event, "[data-progress-export]", Element)) save(section);
-    if (within(event, "[data-progress-import]", Element)) picker(section).click();
+    if (closestTo(event, "[data-progress-reset]", Element)) reset(section);
+    if (closestTo(event, "[data-progress-export]", Element)) exportFile(section);
+    if (closestTo(event, "[data-progress-import]", Element)) fileInput(section).click();
   });
   document.addEventListener("click", async (event) => {
-    if (within(event, ".class-csv", Element)) (await import("./class_page.ts")).saveClass();
+    if (closestTo(event, ".class-csv", Element)) (await import("./class_page.ts")).saveClass();
   });
   document.addEventListener("change", async (event) => {
-    const files = within(event, ".class-files", HTMLInputElement)?.files;
-    const page = maybe(document, "article.class", HTMLElement);
+    const files = closestTo(event, ".class-files", HTMLInputElement)?.files;
+    const page = findOptional(document, "article.class", HTMLElement);
     if (!files || !page) return;
     const { progressIn } = await import("./progress_file.ts");
     await (await import("./class_page.ts")).showClass(page, files, progressIn);
   });
   document.addEventListener("change", (event) => {
-    const input = within(event, ".progress-file", HTMLInputElement);
-    const section = maybe(document, "section.progress", HTMLElement);
+    const input = closestTo(event, ".progress-file", HTMLInputElement);
+    const section = findOptional(document, "section.progress", HTMLElement);
     const file = input?.files?.[0];
-    if (input && section && file) read(section, file).finally(() => (input.value = ""));
+    if (input && section && file) importFile(section, file).finally(() => (input.value = ""));
   });
 }
 
 function reset(section: HTMLElement) {
-  if (section.dataset.progress === "book") forget(/^(quiz|predict|code):/);
+  if (section.dataset.progress === "book") removeItems(/^(quiz|predict|code):/);
   document.dispatchEvent(new Event("answers-forgotten"));
-  say(section, words("progress.forgotten"));
+  showMessage(section, words("progress.forgotten"));
 }
 
-async function save(section: HTMLElement) {
+async function exportFile(section: HTMLElement) {
   const { saveProgress } = await import("./progress_file.ts");
-  const count = saveProgress(one(section, ".progress-name", HTMLInputElement).value.trim());
-  say(section, words("progress.saved", { count }));
+  const count = saveProgress(find(section, ".progress-name", HTMLInputElement).value.trim());
+  showMessage(section, words("progress.saved", { count }));
 }
 
-async function read(section: HTMLElement, file: File) {
+async function importFile(section: HTMLElement, file: File) {
   const { readProgress } = await import("./progress_file.ts");
   try {
     const count = await readProgress(file);
     document.dispatchEvent(new Event("answers-read"));
-    say(section, words("progress.read", { file: file.name, count }));
+    showMessage(section, words("progress.read", { file: file.name, count }));
   } catch (error) {
-    say(section, words("progress.not_read", { file: file.name, reason: message(error) }));
+    showMessage(section, words("progress.not_read", { file: file.name, reason: errorText(error) }));
   }
 }
 
-function picker(section: HTMLElement) {
-  return one(section, ".progress-file", HTMLInputElement);
+function fileInput(section: HTMLElement) {
+  return find(section, ".progress-file", HTMLInputElement);
 }
 
-function say(section: HTMLElement, text: string) {
-  one(section, ".progress-said", HTMLElement).textContent = text;
+function showMessage(section: HTMLElement, text: string) {
+  find(section, ".progress-status", HTMLElement).textContent = text;
 }

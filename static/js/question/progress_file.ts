@@ -4,9 +4,9 @@
  */
 
 import { STORAGE } from "../book.js";
-import { legible } from "../errors.ts";
+import { printable } from "../errors.ts";
 import { download } from "../page/dom.ts";
-import { isSound, remember, stored } from "../page/storage.ts";
+import { hasValidShape, saveItem, storedItems } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 
 const FORMAT = `${STORAGE.replace(":", "")}-progress`;
@@ -25,7 +25,7 @@ export interface Progress {
 
 /** Offer the file, with the reader's name in it and in its name; how many answers it has. */
 export function saveProgress(who: string): number {
-  const answers = stored(NAMES);
+  const answers = storedItems(NAMES);
   const text = JSON.stringify({ format: FORMAT, version: VERSION, who, answers }, null, 1);
   const name = [FORMAT, who.replaceAll(NO_FILE, " ").trim()].filter(Boolean).join(" ");
   download(`${name.replaceAll(" ", "-")}.json`, text, "application/json");
@@ -35,14 +35,14 @@ export function saveProgress(who: string): number {
 /** Keep what the file has; how many answers. Where it is none, an error, and nothing is kept. */
 export async function readProgress(file: File): Promise<number> {
   const answers = Object.entries((await progressIn(file)).answers);
-  for (const [name, entry] of answers) remember(name, entry);
+  for (const [name, entry] of answers) saveItem(name, entry);
   return answers.length;
 }
 
 function checked(content: any): Progress {
   if (content?.format !== FORMAT) throw new Error(words("progress.no_answers_file"));
   if (content.version !== VERSION) {
-    const version = legible(String(content.version));
+    const version = printable(String(content.version));
     throw new Error(words("progress.version", { version, legal: VERSION }));
   }
   const { who, answers } = content;
@@ -50,11 +50,11 @@ function checked(content: any): Progress {
     throw new Error(words("progress.no_answers"));
   }
   for (const [name, entry] of Object.entries(answers)) {
-    if (!NAMES.test(name) || !isSound(name, entry)) {
-      throw new Error(words("progress.broken", { name: JSON.stringify(legible(name)) }));
+    if (!NAMES.test(name) || !hasValidShape(name, entry)) {
+      throw new Error(words("progress.broken", { name: JSON.stringify(printable(name)) }));
     }
   }
-  const name = typeof who === "string" ? legible(who.slice(0, LONGEST_NAME)) : "";
+  const name = typeof who === "string" ? printable(who.slice(0, LONGEST_NAME)) : "";
   return { who: name, answers };
 }
 

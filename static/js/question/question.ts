@@ -1,6 +1,6 @@
 /** Questions as a page has them, and what a kind of them does in it. */
 
-import { all, data } from "../page/dom.ts";
+import { findAll, data } from "../page/dom.ts";
 
 export type Option = { correct: boolean; explanation_html: string; value?: number };
 
@@ -13,7 +13,7 @@ export interface Question {
 }
 
 /** An answer as it is stored. */
-export type Given = number | number[] | Program;
+export type Answer = number | number[] | Program;
 
 /** A reader's code, and the index of the reply to it. */
 export type Program = { code: string; reply: number };
@@ -23,15 +23,15 @@ export interface Verdict {
   /** What is said of it; by default no more than whether it is right. */
   words?: string;
   replies: Option[];
-  /** Said after the replies. */
+  /** Text after the replies. */
   remark?: string;
 }
 
 /** Words, or parts of the page. */
-export type Shown = (Node | string)[];
+export type Content = (Node | string)[];
 
 /** What one kind of question does. */
-export interface Kind<Q extends Question = any, G extends Given = any> {
+export interface Kind<Q extends Question = any, G extends Answer = any> {
   /** Listen for what it alone knows; called once. */
   install?: () => void;
   /** Before it is answered. */
@@ -48,11 +48,11 @@ export interface Kind<Q extends Question = any, G extends Given = any> {
   /** Mark what is right and what is wrong; null where nothing is given. */
   mark?: (form: HTMLFormElement, question: Q, given: G | null) => void;
   /** What was given to a prediction, if anything, and what is right, to stand side by side. */
-  compare?: (form: HTMLFormElement, question: Q, given: G | null) => [Shown | null, Shown];
+  compare?: (form: HTMLFormElement, question: Q, given: G | null) => [Content | null, Content];
 }
 
 export function forms() {
-  return all(document, "main form:is([data-quiz], [data-predict])", HTMLFormElement);
+  return findAll(document, "main form:is([data-quiz], [data-predict])", HTMLFormElement);
 }
 
 export function questionOf(form: HTMLFormElement): Question {

@@ -3,55 +3,55 @@
  * Python. A question can be answered again; a prediction is made once, or its answer asked for.
  */
 
-import { message } from "../errors.ts";
-import { all, element, maybe, one, within } from "../page/dom.ts";
-import { onOtherTab, recall, remember } from "../page/storage.ts";
+import { errorText } from "../errors.ts";
+import { findAll, element, findOptional, find, closestTo } from "../page/dom.ts";
+import { onOtherTabChange, loadItem, saveItem } from "../page/storage.ts";
 import { words } from "../page/words.ts";
 import { KINDS } from "./book_kinds.js";
 import { installDrafts, restoreDrafts } from "./drafts.ts";
 import { showProgress } from "./progress.ts";
 import {
   forms,
-  type Given,
+  type Answer,
   isPrediction,
   type Option,
   type Question,
   questionOf,
-  type Shown,
+  type Content,
   type Verdict,
 } from "./question.ts";
 
 export { leave } from "./drafts.ts";
 
 /** Null: the answer was asked for. */
-type Settled = Given | null;
+type AnswerOrNone = Answer | null;
 
 /** Listen on any page, now and after a change of chapter. */
 export function install() {
   document.addEventListener("submit", (event) => {
-    const form = within(event, "form:is([data-quiz], [data-predict])", HTMLFormElement);
+    const form = closestTo(event, "form:is([data-quiz], [data-predict])", HTMLFormElement);
     if (!form) return;
     event.preventDefault();
-    readOut(form, true);
+    setAnnounced(form, true);
     submit(form);
   });
   document.addEventListener("click", (event) => {
-    const form = revealedBy(event);
+    const form = revealedForm(event);
     if (form) {
-      readOut(form, true);
-      settle(form, null);
+      setAnnounced(form, true);
+      acceptAnswer(form, null);
     }
-    leadToHidden(event);
+    scrollToQuestion(event);
   });
   document.addEventListener("answers-forgotten", forget);
   document.addEventListener("answers-read", restoreAll);
-  onOtherTab((key) => {
+  onOtherTabChange((key) => {
     for (const form of forms()) if (key === null || key === keyOf(form)) restore(form);
     showProgress();
   });
   addEventListener("pageshow", ({ persisted }) => {
     if (!persisted) return; // else other pages may have been read meanwhile
-    for (const form of forms()) if (recall(keyOf(form))) restore(form);
+    for (const form of forms()) if (loadItem(keyOf(form))) restore(form);
     showProgress();
   });
   for (const kind of new Set(Object.values(KINDS))) kind.install?.();
@@ -60,7 +60,7 @@ export function install() {
 
 /** Put each question of the page in the reader's order, with the answer of an earlier visit. */
 export function arrive() {
-  for (const form of forms()) put(form);
+  for (const form of forms()) setUp(form);
   restoreDrafts();
   showProgress();
 }
@@ -70,25 +70,25 @@ function keyOf(form: HTMLFormElement) {
   return isPrediction(form) ? `predict:${form.dataset.predict}` : `quiz:${form.dataset.quiz}`;
 }
 
-function put(form: HTMLFormElement) {
+function setUp(form: HTMLFormElement) {
   const question = questionOf(form);
   const kind = KINDS[question.kind];
   kind.prepare?.(form, question);
-  const given = stored(form, question);
+  const given = storedAnswer(form, question);
   if (given !== undefined && given !== null) kind.put?.(form, given);
-  readOut(form, false);
+  setAnnounced(form, false);
   show(form, question, given);
 }
 
 /** Feedback is announced where it was asked for, and not where it is shown again. */
-function readOut(form: HTMLFormElement, isAsked: boolean) {
-  const feedback = one(form, ".feedback", HTMLElement);
+function setAnnounced(form: HTMLFormElement, isAsked: boolean) {
+  const feedback = find(form, ".feedback", HTMLElement);
   feedback.setAttribute("aria-live", isAsked ? "polite" : "off");
 }
 
 /** The stored answer; undefined where there is none to this edition of the question. */
-function stored(form: HTMLFormElement, question: Question): Settled | undefined {
-  const entry = recall(keyOf(form));
+function storedAnswer(form: HTMLFormElement, question: Question): AnswerOrNone | undefined {
+  const entry = loadItem(keyOf(form));
   if (entry?.edition !== question.edition) return undefined;
   const given = isPrediction(form) ? entry.guess : entry.answer;
   const isAsked = given === null && isPrediction(form);
@@ -96,15 +96,15 @@ function stored(form: HTMLFormElement, question: Question): Settled | undefined 
 }
 
 /** The first answer that was stored to this edition of the question. */
-function firstOf(form: HTMLFormElement, { edition }: Question): Settled | undefined {
-  const entry = recall(keyOf(form));
+function firstAnswer(form: HTMLFormElement, { edition }: Question): AnswerOrNone | undefined {
+  const entry = loadItem(keyOf(form));
   return entry?.edition === edition ? (entry.first ?? entry.answer) : undefined;
 }
 
 /** Show what was answered elsewhere meanwhile. */
 function restore(form: HTMLFormElement) {
   form.reset();
-  put(form);
+  setUp(form);
 }
 
 function restoreAll() {
@@ -114,7 +114,7 @@ function restoreAll() {
 
 /** Forget the answers of this page. */
 function forget() {
-  for (const form of forms()) remember(keyOf(form), null);
+  for (const form of forms()) saveItem(keyOf(form), null);
   restoreAll();
 }
 
@@ -123,49 +123,49 @@ function submit(form: HTMLFormElement) {
   const question = questionOf(form);
   const given = KINDS[question.kind].read(form, question);
   if (given instanceof Promise) {
-    given.then((late) => settle(form, late)).catch((error) => fail(form, error));
+    given.then((late) => acceptAnswer(form, late)).catch((error) => showFailure(form, error));
   } else if (given !== null) {
-    settle(form, given);
+    acceptAnswer(form, given);
   } else {
     show(form, question, undefined);
-    say(form, KINDS[question.kind].missing?.(question) ?? "");
+    showMessage(form, KINDS[question.kind].missing?.(question) ?? "");
     showProgress();
   }
 }
 
-function settle(form: HTMLFormElement, given: Settled) {
+function acceptAnswer(form: HTMLFormElement, given: AnswerOrNone) {
   const question = questionOf(form);
   show(form, question, given);
   const { edition } = question;
   const right = form.dataset.answered === "correct";
   const entry = isPrediction(form)
     ? { edition, guess: given }
-    : { edition, answer: given, right, first: firstOf(form, question) ?? given };
-  remember(keyOf(form), entry);
+    : { edition, answer: given, right, first: firstAnswer(form, question) ?? given };
+  saveItem(keyOf(form), entry);
   showProgress();
 }
 
-function fail(form: HTMLFormElement, error: unknown) {
+function showFailure(form: HTMLFormElement, error: unknown) {
   show(form, questionOf(form), undefined);
   const byReader = error instanceof DOMException && error.name === "AbortError";
-  if (!byReader) say(form, words("question.no_judge", { reason: message(error) }));
+  if (!byReader) showMessage(form, words("question.no_judge", { reason: errorText(error) }));
   showProgress();
 }
 
 /** Instead of a verdict. */
-function say(form: HTMLFormElement, text: string) {
-  one(form, ".feedback", HTMLElement).replaceChildren(element("p", "", text));
+function showMessage(form: HTMLFormElement, text: string) {
+  find(form, ".feedback", HTMLElement).replaceChildren(element("p", "", text));
 }
 
 /** The verdict on an answer, or none. */
-function show(form: HTMLFormElement, question: Question, given: Settled | undefined) {
+function show(form: HTMLFormElement, question: Question, given: AnswerOrNone | undefined) {
   const kind = KINDS[question.kind];
-  const feedback = one(form, ".feedback", HTMLElement);
+  const feedback = find(form, ".feedback", HTMLElement);
   if (isPrediction(form)) {
     const isMade = given !== undefined;
-    one(form, "fieldset", HTMLFieldSetElement).disabled = isMade;
+    find(form, "fieldset", HTMLFieldSetElement).disabled = isMade;
     for (const answer of answersTo(form)) answer.toggleAttribute("data-open", isMade);
-    holdLinks(form, isMade);
+    toggleLinks(form, isMade);
   }
   if (given === undefined) {
     delete form.dataset.answered;
@@ -177,7 +177,7 @@ function show(form: HTMLFormElement, question: Question, given: Settled | undefi
     const beside = compared ? [sideBySide(...compared)] : [];
     const whole = element("div");
     whole.ariaAtomic = "true"; // it comes as one and is announced as one, in its order
-    whole.append(...beside, ...explained(verdict, isPrediction(form)));
+    whole.append(...beside, ...verdictElements(verdict, isPrediction(form)));
     feedback.replaceChildren(whole);
   }
   kind.mark?.(form, question, given ?? null);
@@ -188,11 +188,11 @@ function withoutGuess({ options }: Question): Verdict {
   return { right: false, words: words("predict.without"), replies };
 }
 
-function explained({ right, words: own, replies, remark }: Verdict, isGuess: boolean) {
+function verdictElements({ right, words: specific, replies, remark }: Verdict, isGuess: boolean) {
   const [yes, no] = isGuess
     ? ["predict.agrees", "predict.differs"]
     : ["question.right", "question.wrong"];
-  const verdict = element("p", "verdict label", own ?? words(right ? yes : no));
+  const verdict = element("p", "verdict label", specific ?? words(right ? yes : no));
   const last = element("p", "explanation", remark ?? "");
   const reasons = replies.filter((reply) => reply.explanation_html !== "").map(explanation);
   return [verdict, ...reasons, ...(remark ? [last] : [])];
@@ -205,23 +205,23 @@ function explanation({ correct, explanation_html: html }: Option) {
 }
 
 /** The prediction whose answer is asked for by this click, without a guess. */
-function revealedBy(event: MouseEvent) {
-  const button = within(event, "[data-reveal]", HTMLButtonElement);
+function revealedForm(event: MouseEvent) {
+  const button = closestTo(event, "[data-reveal]", HTMLButtonElement);
   const id = button?.dataset.reveal || button?.closest("form")?.dataset.predict;
-  return id ? maybe(document, `form[data-predict="${id}"]`, HTMLFormElement) : null;
+  return id ? findOptional(document, `form[data-predict="${id}"]`, HTMLFormElement) : null;
 }
 
 /** A link to what is still hidden leads to the question before it. */
-function leadToHidden(event: MouseEvent) {
-  const link = within(event, 'a[href^="#"]', HTMLAnchorElement);
+function scrollToQuestion(event: MouseEvent) {
+  const link = closestTo(event, 'a[href^="#"]', HTMLAnchorElement);
   const target = link && document.getElementById(decodeURIComponent(link.hash.slice(1)));
   const answer = target?.parentElement?.closest<HTMLElement>(".answer:not([data-open])");
   if (answer) document.getElementById(`predict-${answer.dataset.answers}`)?.scrollIntoView();
 }
 
 /** Links of the question to the experiment are plain words until the guess is made. */
-function holdLinks(form: HTMLFormElement, isMade: boolean) {
-  for (const link of all(form, ".predict-question a.set", HTMLAnchorElement)) {
+function toggleLinks(form: HTMLFormElement, isMade: boolean) {
+  for (const link of findAll(form, ".predict-question a.set", HTMLAnchorElement)) {
     const { held } = link.dataset;
     if (isMade && held !== undefined) {
       link.href = held;
@@ -235,18 +235,18 @@ function holdLinks(form: HTMLFormElement, isMade: boolean) {
 
 /** What is hidden until this prediction is made. */
 function answersTo(form: HTMLFormElement) {
-  return all(document, `[data-answers="${form.dataset.predict}"]`, HTMLElement);
+  return findAll(document, `[data-answers="${form.dataset.predict}"]`, HTMLElement);
 }
 
 /** The guess, if there is one, and what was computed. */
-function sideBySide(guess: Shown | null, truth: Shown) {
+function sideBySide(guess: Content | null, truth: Content) {
   const list = element("dl", "meeting row");
   if (guess) list.append(group("guessed role-ray", words("predict.your_guess"), guess));
   list.append(group("computed role-image", words("predict.computed"), truth));
   return list;
 }
 
-function group(className: string, name: string, shown: Shown) {
+function group(className: string, name: string, shown: Content) {
   const [parts, value] = [element("div", className), element("dd")];
   value.append(...shown);
   parts.append(element("dt", "fine", name), value);

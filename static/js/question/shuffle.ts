@@ -1,24 +1,25 @@
 /** Orders that are the reader's own: by chance once, then the same on every visit. */
 
-import { recall, remember } from "../page/storage.ts";
+import { loadItem, saveItem } from "../page/storage.ts";
 
 /** What this reader's orders come from; where nothing is remembered, as long as the page lasts. */
 let seed = "";
 
 /** The numbers from 0 to `count` − 1 in the reader's order of the things called `name`. */
 export function shuffled(name: string, count: number) {
-  const own = ownSeed();
-  const hashes = Array.from({ length: count }, (_, index) => hash(`${own}${name} ${index}`));
+  const hashes = Array.from({ length: count }, (_, index) =>
+    hash(`${readerSeed()}${name} ${index}`),
+  );
   return [...hashes.keys()].sort((one, other) => hashes[one] - hashes[other]);
 }
 
 /** What the orders of this reader follow from. */
-function ownSeed() {
+function readerSeed() {
   if (!seed) {
-    const stored = recall("order");
+    const stored = loadItem("order");
     seed =
       typeof stored === "string" ? stored : crypto.getRandomValues(new Uint32Array(2)).join("-");
-    remember("order", seed);
+    saveItem("order", seed);
   }
   return seed;
 }

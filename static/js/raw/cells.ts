@@ -49,8 +49,12 @@ export function mosaicOf(about: Metadata, cells: Cells, linear: Developed): Mosa
     const place = (i: number, j: number) => (2 * i + row) * width + 2 * j + column;
     return levelOf(linear, colours[k], (i, j) => codes[place(i, j)]);
   });
-  const told = { colours: colours.map((k) => cdesc[k]).join(""), black, white: color_data.maximum };
-  return { codes, width, height, about: JSON.stringify(told) };
+  const levels = {
+    colours: colours.map((k) => cdesc[k]).join(""),
+    black,
+    white: color_data.maximum,
+  };
+  return { codes, width, height, about: JSON.stringify(levels) };
 }
 
 function asSensorLies({ width, height, flip }: Metadata) {

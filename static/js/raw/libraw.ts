@@ -51,18 +51,18 @@ export interface Cells {
 }
 
 /** The decoder could not be loaded. */
-export class NoDecoder extends Error {}
+export class DecoderMissing extends Error {}
 
 /**
  * @param folder Absolute address of its files.
- * @param told Called with the bytes of its program that arrive, if the host says.
- * @throws {NoDecoder}
+ * @param onSize Called with the bytes of its program that arrive, if the host says.
+ * @throws {DecoderMissing}
  */
-export async function loadLibRaw(folder: string, told: (bytes: number) => void): Promise<LibRaw> {
+export async function loadLibRaw(folder: string, onSize: (bytes: number) => void): Promise<LibRaw> {
   try {
     const reply = await fetch(`${folder}/libraw.wasm`);
     if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
-    told(Number(reply.headers.get("content-length")));
+    onSize(Number(reply.headers.get("content-length")));
     const [program, script] = await Promise.all([
       reply.arrayBuffer().then((bytes) => new Uint8Array(bytes)),
       import(`${folder}/libraw.js`),
@@ -70,7 +70,7 @@ export async function loadLibRaw(folder: string, told: (bytes: number) => void):
     const { LibRaw } = await start(script.default, program);
     return new LibRaw();
   } catch (error) {
-    throw new NoDecoder(String(error));
+    throw new DecoderMissing(String(error));
   }
 }
 

@@ -24,14 +24,14 @@ let isFetched = false;
 const BAND = 128;
 
 /**
- * @param say Told what takes time.
+ * @param report Called with what takes time.
  * @returns null for a file that no decoder of raw files knows.
  * @throws {Error} With words for the reader.
  */
 export async function openRaw(
   name: string,
   request: RawRequest,
-  say: (text: string) => void,
+  report: (text: string) => void,
 ): Promise<RawPicture | null> {
   const size = request.file.size / 1e6;
   if (size > MOST_MB) {
@@ -39,7 +39,7 @@ export async function openRaw(
       words("photograph.large", { file: name, size: size.toFixed(0), most: MOST_MB }),
     );
   }
-  const reply = await ask(request, say, name);
+  const reply = await decodeInWorker(request, report, name);
   if ("picture" in reply) return { ...reply, bitmap: await bitmapOf(reply.picture) };
   const { fault, sizes } = reply;
   if (fault === "unknown") return null;
@@ -55,7 +55,11 @@ const REFUSALS = {
 
 type Last = Exclude<RawReply, { fetching: number }>;
 
-function ask(request: RawRequest, say: (text: string) => void, name: string): Promise<Last> {
+function decodeInWorker(
+  request: RawRequest,
+  report: (text: string) => void,
+  name: string,
+): Promise<Last> {
   const worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
   const answer = new Promise<Last>((resolve, reject) => {
     worker.onmessage = ({ data }: MessageEvent<RawReply>) => {
@@ -63,7 +67,7 @@ function ask(request: RawRequest, say: (text: string) => void, name: string): Pr
       else if (data.fetching && !isFetched) {
         isFetched = true;
         const size = (data.fetching / 1e6).toFixed(1);
-        say(words("raw.fetching", { size: numeral(size) }));
+        report(words("raw.fetching", { size: numeral(size) }));
       }
     };
     worker.onerror = () => resolve({ fault: "no_decoder", sizes: {} });

@@ -1,7 +1,13 @@
 /** Decodes one raw file. It ends afterwards, so that the browser has its memory back. */
 
 import { LINEAR, isBayer, isCutOff, mosaicOf, pictureOf } from "./cells.ts";
-import { NoDecoder, loadLibRaw, type Developed, type LibRaw, type Metadata } from "./libraw.ts";
+import {
+  DecoderMissing,
+  loadLibRaw,
+  type Developed,
+  type LibRaw,
+  type Metadata,
+} from "./libraw.ts";
 import { free } from "../runtime/free.ts";
 import type { Mosaic } from "../runtime/messages.ts";
 
@@ -58,7 +64,7 @@ self.onmessage = async ({ data }: MessageEvent<RawRequest>) => {
       buffers.filter((buffer) => buffer !== undefined),
     );
   } catch (error) {
-    const other = error instanceof NoDecoder ? "no_decoder" : "damaged";
+    const other = error instanceof DecoderMissing ? "no_decoder" : "damaged";
     const { fault, sizes } = error instanceof Refused ? error : new Refused(other);
     answer({ fault, sizes });
   }
@@ -69,18 +75,18 @@ function decode(
   file: Uint8Array<ArrayBuffer>,
   { mosaic, megapixels }: RawRequest,
 ): Decoded {
-  const about = opened(libraw, file, mosaic ? LINEAR : {});
+  const about = openFile(libraw, file, mosaic ? LINEAR : {});
   const { width, height } = about;
   const pixels = (width * height) / 1e6;
   if (pixels > MOST_MEGAPIXELS) throw new Refused("huge", { width, height, most: MOST_MEGAPIXELS });
-  const told = { full: [width, height] as [number, number], facts: factsOf(about) };
-  if (mosaic) return { ...told, ...cellsOf(libraw, about) };
+  const description = { full: [width, height] as [number, number], facts: factsOf(about) };
+  if (mosaic) return { ...description, ...cellsOf(libraw, about) };
   const half = pixels > MOST_IN_FULL || pixels / 4 >= megapixels;
-  opened(libraw, file, { ...AS_SHOT, halfSize: Number(half) });
+  openFile(libraw, file, { ...AS_SHOT, halfSize: Number(half) });
   free(file);
   const picture = required(libraw.imageData(), "damaged");
   wholeCells(libraw, about);
-  return { ...told, picture };
+  return { ...description, picture };
 }
 
 /** The cells that the file has, if any; some have developed colours only. */
@@ -90,7 +96,7 @@ function wholeCells(libraw: LibRaw, about: Metadata) {
   return cells;
 }
 
-function opened(libraw: LibRaw, file: Uint8Array, settings: object): Metadata {
+function openFile(libraw: LibRaw, file: Uint8Array, settings: object): Metadata {
   try {
     libraw.open(file, settings as {});
   } catch {

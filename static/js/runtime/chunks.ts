@@ -52,7 +52,7 @@ export class Chunks {
    * @param fresh Whether to bypass the HTTP cache, which may hold a damaged table.
    * @throws {LoadError}
    */
-  static async listed(url: string, integrity?: string, fresh?: boolean): Promise<Chunks> {
+  static async fetchTable(url: string, integrity?: string, fresh?: boolean): Promise<Chunks> {
     const reply = await fetchWhole(url + TABLE, integrity, fresh ? ["reload"] : undefined);
     try {
       return new Chunks(url, await reply.json());
@@ -83,7 +83,7 @@ export class Chunks {
   }
 
   /** All chunks that running needs: those of a scene or ladder, and what all build on. */
-  toRun(names: string[]) {
+  chunksToRun(names: string[]) {
     return [...(this.hasSnapshot ? [LIBRARY] : []), "numpy", "core", ...names];
   }
 
@@ -91,9 +91,9 @@ export class Chunks {
    * The chunks that importing a scene needs. Where a snapshot has the modules already, their files
    * come later, and so does machine code, which frames import.
    */
-  toImport(scene: string) {
+  chunksToImport(scene: string) {
     const names = this.table.scenes[scene] ?? [];
-    if (!this.hasSnapshot) return this.toRun(names);
+    if (!this.hasSnapshot) return this.chunksToRun(names);
     return names.filter((name) => !this.table.machine_code.includes(name));
   }
 
@@ -121,10 +121,10 @@ export class Chunks {
    *
    * @throws {LoadError} Also kept in `missed`, as Python reports an error of its own.
    */
-  fetchNow(name: string) {
+  fetchSynchronously(name: string) {
     if (this.#present.has(name) || !hasOwn(this.table.integrity, `${name}.zip`)) return;
     try {
-      this.#unpack(name, loadNow(`${this.url}${name}.zip`));
+      this.#unpack(name, loadSynchronously(`${this.url}${name}.zip`));
     } catch (error) {
       this.missed = error instanceof LoadError ? error : new LoadError("other", `${name}.zip`);
       throw this.missed;
@@ -147,7 +147,7 @@ export class Chunks {
  *
  * @throws {LoadError}
  */
-function loadNow(url: string): Uint8Array {
+function loadSynchronously(url: string): Uint8Array {
   const request = new XMLHttpRequest();
   request.open("GET", url, false);
   request.responseType = "arraybuffer";

@@ -36,7 +36,7 @@ export async function startInterpreter(
  */
 async function start(request: StartRequest, fromSnapshot: boolean) {
   const { url, table: hash, scenes, cached = false, fresh = false } = request;
-  const listing = Chunks.listed(url, hash, fresh);
+  const listing = Chunks.fetchTable(url, hash, fresh);
   const compile = (name: string) => {
     const integrity = async () => (await listing).table.integrity[name];
     return compileFile(url + name, integrity, cached, fresh);
@@ -54,13 +54,16 @@ async function start(request: StartRequest, fromSnapshot: boolean) {
   files.catch(() => {}); // likewise
   const snapshot = fromSnapshot ? fetchSnapshot(chunks) : null;
   chunks.hasSnapshot = snapshot !== null;
-  if (!snapshot) chunks.prefetch(chunks.toRun([]));
-  const [first, ...others] = scenes.map((scene) => chunks.toImport(scene));
+  if (!snapshot) chunks.prefetch(chunks.chunksToRun([]));
+  const [first, ...others] = scenes.map((scene) => chunks.chunksToImport(scene));
   chunks.prefetch(first ?? []);
   chunks.later = others.flat();
   const library = snapshot ? new Response() : await chunks.reply(LIBRARY);
   const [[{ loadPyodide }, { default: createPyodideModule }], machineCode, loaded] = await files;
-  answerPyodide({ [url + MACHINE_CODE]: new Response(), [url + LIBRARY]: library }, machineCode);
+  interceptRequests(
+    { [url + MACHINE_CODE]: new Response(), [url + LIBRARY]: library },
+    machineCode,
+  );
   const pyodide = await loadPyodide({
     indexURL: url,
     stdLibURL: url + LIBRARY,
@@ -75,10 +78,10 @@ async function start(request: StartRequest, fromSnapshot: boolean) {
   });
   chunks.pyodide = pyodide;
   if (snapshot) pyodide.runPython("import random; random.seed()");
-  else await chunks.provide(chunks.toRun([]));
+  else await chunks.provide(chunks.chunksToRun([]));
   const python = pyodide.pyimport("simulations.browser");
-  const fetchNow = (name: string) => chunks.fetchNow(name);
-  python.fetch_missing(JSON.stringify(table.modules), fetchNow, table.folder);
+  const fetchSynchronously = (name: string) => chunks.fetchSynchronously(name);
+  python.fetch_missing(JSON.stringify(table.modules), fetchSynchronously, table.folder);
   return { chunks, python };
 }
 
@@ -88,7 +91,7 @@ async function start(request: StartRequest, fromSnapshot: boolean) {
  * @param replies By address.
  * @param machineCode Of the interpreter.
  */
-function answerPyodide(replies: Record<string, Response>, machineCode: WebAssembly.Module) {
+function interceptRequests(replies: Record<string, Response>, machineCode: WebAssembly.Module) {
   const fetchOther = self.fetch;
   self.fetch = async (address, options) => {
     return replies[String(address)] ?? fetchOther(address, options);

@@ -5,7 +5,7 @@
  */
 
 /** Names that stay: those of ECMAScript, and of what only computes. */
-const KEPT = new Set(
+const ALLOWED = new Set(
   `globalThis self Infinity NaN undefined Object Boolean Symbol Number BigInt Math Date String RegExp
   Array Map Set WeakMap WeakSet WeakRef FinalizationRegistry Iterator Promise Proxy Reflect JSON Intl
   Error AggregateError EvalError RangeError ReferenceError SyntaxError TypeError URIError DOMException
@@ -36,7 +36,7 @@ export function isolate() {
     for (const name of Object.getOwnPropertyNames(scope)) {
       const { get, value } = Object.getOwnPropertyDescriptor(scope, name) ?? {};
       const isConstant = !get && Object(value) !== value;
-      if (KEPT.has(name) || isConstant) continue;
+      if (ALLOWED.has(name) || isConstant) continue;
       if (!Reflect.deleteProperty(scope, name)) left.push(name);
     }
   }

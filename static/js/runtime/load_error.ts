@@ -25,16 +25,16 @@ export class LoadError extends Error {
 const { fetch: fetchFile, Response } = globalThis;
 
 /** Files that were requested and have not arrived, the earliest first. */
-export const awaited: Set<string> = new Set();
+export const pendingFiles: Set<string> = new Set();
 
-/** The file at `url` as it arrives; among those `awaited` until then. */
-export async function arrival<T>(url: string, arriving: Promise<T>): Promise<T> {
+/** The file at `url` as it arrives; one of `pendingFiles` until then. */
+export async function trackArrival<T>(url: string, arriving: Promise<T>): Promise<T> {
   const file = fileOf(url);
-  awaited.add(file);
+  pendingFiles.add(file);
   try {
     return await arriving;
   } finally {
-    awaited.delete(file);
+    pendingFiles.delete(file);
   }
 }
 
@@ -52,7 +52,7 @@ export async function fetchWhole(
 ): Promise<Response> {
   for (const cache of caches) {
     try {
-      return await arrival(url, fetchOnce(url, { cache, integrity }));
+      return await trackArrival(url, fetchOnce(url, { cache, integrity }));
     } catch (error) {
       if (error instanceof LoadError) throw error;
     }
@@ -62,7 +62,7 @@ export async function fetchWhole(
 
 /** The reply, once all of it is there. */
 async function fetchOnce(url: string, options: RequestInit) {
-  const reply = checked(await fetchFile(url, options));
+  const reply = checkReply(await fetchFile(url, options));
   return new Response(await reply.arrayBuffer(), { headers: reply.headers });
 }
 
@@ -76,7 +76,7 @@ export async function findLoadError(url: string): Promise<LoadError> {
     const reply = await fetchFile(url, { cache: "reload" });
     const start = (await reply.clone().text()).slice(0, 256);
     if (reply.ok && /^\s*</.test(start)) return new LoadError("page", url);
-    checked(reply);
+    checkReply(reply);
     return new LoadError("other", url);
   } catch (error) {
     return error instanceof LoadError ? error : new LoadError("network", url);
@@ -89,7 +89,7 @@ function fileOf(url: string) {
 }
 
 /** @throws {LoadError} Where it refuses, or is a script with a media type that browsers refuse. */
-function checked(reply: Response) {
+function checkReply(reply: Response) {
   if (!reply.ok) throw new LoadError("status", reply.url, String(reply.status));
   const type = reply.headers.get("content-type") ?? "";
   if (/\.m?js$/.test(reply.url) && !/javascript|ecmascript/.test(type)) {

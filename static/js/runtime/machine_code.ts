@@ -1,6 +1,6 @@
 /** Machine code (WebAssembly) of the interpreter and its libraries. */
 
-import { arrival, fetchWhole } from "./load_error.ts";
+import { trackArrival, fetchWhole } from "./load_error.ts";
 
 /**
  * Compile a file while it arrives. The browser caches the compiled code with its own copy of the file,
@@ -21,7 +21,7 @@ export async function compileFile(
   for (const cache of caches) {
     try {
       const reply = fetch(url, { cache, mode: "same-origin" });
-      return await arrival(url, WebAssembly.compileStreaming(reply));
+      return await trackArrival(url, WebAssembly.compileStreaming(reply));
     } catch {
       // The next way: there is no copy, or it is damaged, or of another media type.
     }

@@ -5,7 +5,7 @@
  * in which it waits for a file, with the file's name.
  */
 
-import { takeArray, takeEdited, takeFrame } from "./transfer.ts";
+import { copyArray, copyEdited, copyFrame } from "./transfer.ts";
 
 /** A frame: of which figure and scene, at which control values (as JSON), by which tier. */
 export type FrameRequest = { figure: string; scene: string; values: string; tier: string };
@@ -71,7 +71,7 @@ export type Reading = { number: number; name: string; data: unknown };
 /** A function of `simulations.browser`. */
 interface Call<Request, Reply> {
   /** Its arguments, in this order, by their names in the request. */
-  takes: (keyof Request & string)[];
+  parameters: (keyof Request & string)[];
   /** Makes the reply of its result. */
   reply: (result: any) => Reply;
   /** What the page checks of the values in a reply. */
@@ -83,12 +83,12 @@ interface Call<Request, Reply> {
 }
 
 function call<Request, Reply>(
-  takes: (keyof Request & string)[],
+  parameters: (keyof Request & string)[],
   reply: (result: any) => Reply,
   values: Record<string, Check> = {},
   limit = 60_000,
 ): Call<Request, Reply> {
-  return { takes, reply, values, limit };
+  return { parameters, reply, values, limit };
 }
 
 const FRAME: (keyof FrameRequest)[] = ["figure", "scene", "values", "tier"];
@@ -109,9 +109,9 @@ const isListOf =
     Array.isArray(value) && value.length <= most && value.every(check);
 const isBuffer: Check = (value) => value instanceof ArrayBuffer;
 const isScalar: Check = (value) => isNumber(value) || isText(value) || typeof value === "boolean";
-const isSaid: Check = (value) => isText(value) || (isObject(value) && isText(value.key));
+const isMessage: Check = (value) => isText(value) || (isObject(value) && isText(value.key));
 const isProblem: Check = ({ message, definition, line }) =>
-  isSaid(message) && isText(definition) && Number.isInteger(line);
+  isMessage(message) && isText(definition) && Number.isInteger(line);
 
 const isMiss: Check = ({ fault, call, got, expected, recognised, pictures }) =>
   [fault, call, got, expected].every(isText) &&
@@ -134,12 +134,12 @@ export const CALLS = {
     (sources) => ({ sources }),
     { sources: isOptional(isText) },
   ),
-  render: call<FrameRequest, FrameReply>(FRAME, takeFrame, FRAME_VALUES),
+  render: call<FrameRequest, FrameReply>(FRAME, copyFrame, FRAME_VALUES),
   /** The same by the reader's own code. */
   render_edited: call<
     FrameRequest & { edits: string },
     FrameReply & { problem: any; printed: string }
-  >([...FRAME, "edits"], takeEdited, {
+  >([...FRAME, "edits"], copyEdited, {
     ...FRAME_VALUES,
     problem: isOptional(isProblem),
     printed: isText,
@@ -150,7 +150,7 @@ export const CALLS = {
     Record<string, unknown>
   >(["program", "edits", "stage"], JSON.parse, {
     printed: isText,
-    problem: isOptional(({ message, line }) => isSaid(message) && Number.isInteger(line)),
+    problem: isOptional(({ message, line }) => isMessage(message) && Number.isInteger(line)),
     miss: isOptional(isMiss),
     yours: isOptional(isObject),
     tiers: isOptional(isListOf(isObject, 100)),
@@ -198,7 +198,7 @@ export const CALLS = {
   /** PNG of one of a scene's samples. */
   sample: call<{ scene: string; name: string }, { rasters: ArrayBuffer[] }>(
     ["scene", "name"],
-    (file) => ({ rasters: [takeArray(file)] }),
+    (file) => ({ rasters: [copyArray(file)] }),
     { rasters: isListOf(isBuffer, 1) },
   ),
   /** The text of one of a scene's files. */
@@ -210,7 +210,7 @@ export const CALLS = {
   /** A photograph made anew at the settings of a figure: pixels of a canvas, transferred. */
   develop: call<FrameRequest & { picture: Picture }, { rasters: ArrayBuffer[] }>(
     [...FRAME, "picture"],
-    (raster) => ({ rasters: [takeArray(raster)] }),
+    (raster) => ({ rasters: [copyArray(raster)] }),
     { rasters: isListOf(isBuffer, 1) },
     120_000,
   ),
@@ -251,13 +251,13 @@ export function isReply(name: CallName, reply: Record<string, unknown>) {
   return Object.entries(values).every(([key, check]) => check(reply[key]));
 }
 
-/** What each call takes. */
+/** The request of each call. */
 export type Requests = {
   [Name in CallName]: (typeof CALLS)[Name] extends Call<infer Request, any> ? Request : never;
 };
 
-/** What each call answers. */
+/** The reply of each call. */
 export type Replies = { [Name in CallName]: ReturnType<(typeof CALLS)[Name]["reply"]> };
 
 /** Longest that a frame by a reader's own code may take: milliseconds, or times the book's own. */
-export const EDITED = { ms: 5000, times: 10 };
+export const EDITED_LIMIT = { ms: 5000, times: 10 };

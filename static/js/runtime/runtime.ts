@@ -6,8 +6,8 @@
  * stay.
  */
 
-import { legible } from "../errors.ts";
-import { all } from "../page/dom.ts";
+import { printable } from "../errors.ts";
+import { findAll } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { findLoadError, type LoadErrorData, type LoadErrorKind } from "./load_error.ts";
 import {
@@ -20,7 +20,7 @@ import {
 } from "./messages.ts";
 import { Watchdog } from "./watchdog.ts";
 
-interface Circumstances {
+interface FailureDetails {
   late?: boolean;
   loadError?: LoadErrorKind;
   begun?: number;
@@ -35,11 +35,11 @@ export class RuntimeFailure extends Error {
   readonly loadError: string | undefined;
   readonly begun: number;
 
-  /** @param more Whether it was the time limit; what is wrong with a file; when its worker began. */
+  /** @param details Whether it was the time limit; what is wrong with a file; when its worker began. */
   constructor(
     readonly kind: "python" | "start" | "part" | "lost",
     message: string,
-    { late = false, loadError, begun = Infinity }: Circumstances = {},
+    { late = false, loadError, begun = Infinity }: FailureDetails = {},
   ) {
     super(message);
     this.late = late;
@@ -49,7 +49,7 @@ export class RuntimeFailure extends Error {
 }
 
 /** Error of an interpreter that is ended on purpose. */
-export function closed() {
+export function closedFailure() {
   return new RuntimeFailure("lost", words("runtime.closed"));
 }
 
@@ -64,11 +64,11 @@ export interface Caller {
   close: () => void;
   restart: () => void;
   generation: number;
-  awaits: Awaited;
+  waitsFor: Wait;
 }
 
 /** What the worker does: fetch its script or a `file`, start Python, or compute. */
-export type Awaited = { what: "script" | "file" | "python" | "frame"; file: string };
+export type Wait = { what: "script" | "file" | "python" | "frame"; file: string };
 
 /** Longest time in which files may arrive, in milliseconds. */
 const LONGEST_FETCH = 300_000;
@@ -114,20 +114,20 @@ export class Runtime {
   generation = 0;
 
   readonly scenes: () => string[];
-  readonly begin: (script: URL) => Worker;
+  readonly createWorker: (script: URL) => Worker;
 
   /**
    * @param url Absolute address of the runtime folder.
    * @param scenes Asked when a worker starts: which scenes it will need.
-   * @param begin Starts a worker.
+   * @param createWorker Starts a worker.
    */
   constructor(
     readonly url: string,
     scenes: () => string[],
-    begin: (script: URL) => Worker = beginWorker,
+    createWorker: (script: URL) => Worker = startWorker,
   ) {
     this.scenes = scenes;
-    this.begin = begin;
+    this.createWorker = createWorker;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -161,12 +161,12 @@ export class Runtime {
 
   /** End the worker; waiting calls fail. */
   close() {
-    for (const call of this.#waiting.splice(0)) call.reject(closed());
-    if (this.#worker) this.#lose(closed().message);
+    for (const call of this.#waiting.splice(0)) call.reject(closedFailure());
+    if (this.#worker) this.#endWorker(closedFailure().message);
   }
 
   /** What the call that is in the worker waits for. */
-  get awaits(): Awaited {
+  get waitsFor(): Wait {
     const isStart = this.#active?.name === "start";
     if (this.#waits === null) return { what: isStart ? "script" : "frame", file: "worker.js" };
     if (this.#waits) return { what: "file", file: this.#waits };
@@ -180,7 +180,7 @@ export class Runtime {
       call.reject = () => {};
       this.#failedStarts += 1;
     }
-    this.#lose(words("runtime.late"), { late: true });
+    this.#endWorker(words("runtime.late"), { late: true });
   }
 
   #next() {
@@ -198,17 +198,17 @@ export class Runtime {
     this.generation = ++interpreters;
     this.#begun = performance.now();
     const script = new URL("./worker.js", import.meta.url);
-    const worker = this.begin(script);
+    const worker = this.createWorker(script);
     this.#worker = worker;
     worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = async (event) => {
       event.preventDefault();
       const { data } = await findLoadError(script.href);
       if (this.#worker !== worker) return;
-      if (data.kind === "other") this.#lose(event.message || words("runtime.no_worker"));
-      else this.#lose(inWords(data), { loadError: data.kind });
+      if (data.kind === "other") this.#endWorker(event.message || words("runtime.no_worker"));
+      else this.#endWorker(loadErrorText(data), { loadError: data.kind });
     };
-    worker.onmessageerror = () => this.#lose(words("runtime.unreadable"));
+    worker.onmessageerror = () => this.#endWorker(words("runtime.unreadable"));
     const { table } = document.body.dataset;
     const fresh = this.#failedStarts > 0;
     const scenes = this.scenes();
@@ -238,7 +238,7 @@ export class Runtime {
   }
 
   #watch(limit: number) {
-    this.#watchdog.start(limit, () => this.#lose(words("runtime.late"), { late: true }));
+    this.#watchdog.start(limit, () => this.#endWorker(words("runtime.late"), { late: true }));
   }
 
   #receive(reply: unknown) {
@@ -246,30 +246,32 @@ export class Runtime {
     if (!isSignal(reply)) {
       console.warn(words("runtime.unreadable"));
     } else if (call && call.id === reply.id) {
-      if ("waits" in reply) this.#note(call, reply.waits);
+      if ("waits" in reply) this.#noteWait(call, reply.waits);
       else if (!reply.ok) this.#fail(call, reply);
-      else if (!isReply(call.name, reply)) this.#lose(words("runtime.unreadable"));
+      else if (!isReply(call.name, reply)) this.#endWorker(words("runtime.unreadable"));
       else this.#end(() => call.resolve(reply));
     }
   }
 
   /** A sign of life. */
-  #note(call: Call, file: string) {
+  #noteWait(call: Call, file: string) {
     this.#waits = file;
     const isEndless = file !== "" && performance.now() - this.#sent > LONGEST_FETCH;
     if (!isEndless) this.#watch(call.limit);
   }
 
   #fail(call: Call, { error, fatal, loadError }: Failure) {
-    const message = loadError ? inWords(loadError) : legible(error) || words("runtime.unreadable");
-    const more = { loadError: loadError?.kind };
+    const message = loadError
+      ? loadErrorText(loadError)
+      : printable(error) || words("runtime.unreadable");
+    const details = { loadError: loadError?.kind };
     if (fatal || call.name === "start") {
       this.#plain ||= call.name === "prepare";
-      this.#lose(message, more);
+      this.#endWorker(message, details);
       return;
     }
     const kind = loadError ? "part" : "python";
-    this.#end(() => call.reject(new RuntimeFailure(kind, message, more)));
+    this.#end(() => call.reject(new RuntimeFailure(kind, message, details)));
   }
 
   /** The worker is free. */
@@ -280,14 +282,14 @@ export class Runtime {
   }
 
   /** The worker is of no more use: end it, reject its call, and go on with a new one. */
-  #lose(message: string, more?: Circumstances) {
+  #endWorker(message: string, details?: FailureDetails) {
     const call = this.#active;
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
     call?.reject(
       new RuntimeFailure(call.name === "start" ? "start" : "lost", message, {
-        ...more,
+        ...details,
         begun: this.#begun,
       }),
     );
@@ -306,24 +308,24 @@ export class Runtime {
   }
 }
 
-function inWords(error: LoadErrorData | { kind: "memory" }) {
+function loadErrorText(error: LoadErrorData | { kind: "memory" }) {
   return words(`runtime.${error.kind}`, error);
 }
 
 /** The scenes that the page will ask for. */
 function scenesOfPage() {
-  const figures = all(document, "simulation-figure", HTMLElement);
+  const figures = findAll(document, "simulation-figure", HTMLElement);
   return [...new Set(figures.map((figure) => figure.dataset.simulation ?? ""))];
 }
 
-function beginWorker(script: URL) {
+function startWorker(script: URL) {
   return new Worker(script, { type: "module" });
 }
 
 /** The worker that the page's head has started, once; then new ones. */
 function takeEarlyWorker(script: URL) {
   const page = globalThis as { earlyWorker?: Worker };
-  const worker = page.earlyWorker ?? beginWorker(script);
+  const worker = page.earlyWorker ?? startWorker(script);
   delete page.earlyWorker;
   return worker;
 }
@@ -334,7 +336,7 @@ let confined = "";
  * A worker under the policy of the page, which a worker inherits whose address is a blob's: nothing
  * that runs in it reaches another host.
  */
-export function beginConfined(script: URL) {
+export function startConfinedWorker(script: URL) {
   const source = `import ${JSON.stringify(script.href)};`;
   confined ||= URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
   return new Worker(confined, { type: "module" });

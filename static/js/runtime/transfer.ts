@@ -3,13 +3,13 @@
 import type { FrameReply } from "./messages.ts";
 
 /** A frame, copied out of the interpreter's memory and released there; its time is not known here. */
-export function takeFrame(frame: any): FrameReply {
+export function copyFrame(frame: any): FrameReply {
   const { meta, rasters, sound } = frame;
   try {
     const indices = Array.from({ length: rasters.length }, (_, index) => index);
-    const pixels = indices.map((index) => takeArray(rasters.get(index)));
+    const pixels = indices.map((index) => copyArray(rasters.get(index)));
     const taken = { meta, rasters: pixels, computeMs: 0 };
-    return sound ? { ...taken, sound: takeArray(sound) } : taken;
+    return sound ? { ...taken, sound: copyArray(sound) } : taken;
   } finally {
     rasters.destroy();
     frame.destroy();
@@ -17,10 +17,10 @@ export function takeFrame(frame: any): FrameReply {
 }
 
 /** A frame by the reader's own code, or what is wrong with that code; `printed` is what it printed. */
-export function takeEdited(edited: any): FrameReply & { problem: any; printed: string } {
+export function copyEdited(edited: any): FrameReply & { problem: any; printed: string } {
   try {
     const { problem, printed, frame } = edited;
-    const taken = frame ? takeFrame(frame) : { meta: "", rasters: [], computeMs: 0 };
+    const taken = frame ? copyFrame(frame) : { meta: "", rasters: [], computeMs: 0 };
     return { ...taken, problem: JSON.parse(problem), printed };
   } finally {
     edited.destroy();
@@ -28,7 +28,7 @@ export function takeEdited(edited: any): FrameReply & { problem: any; printed: s
 }
 
 /** The bytes of an array. */
-export function takeArray(array: any): ArrayBuffer {
+export function copyArray(array: any): ArrayBuffer {
   const view = array.getBuffer("u8");
   try {
     return view.data.slice().buffer;

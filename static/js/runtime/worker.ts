@@ -1,11 +1,11 @@
 /** The worker that runs the Python interpreter; `messages.ts` lists its calls. Every call is answered. */
 
-import { legible, wholeMessage } from "../errors.ts";
+import { printable, fullErrorText } from "../errors.ts";
 import { SOURCES, type Chunks } from "./chunks.ts";
 import { free } from "./free.ts";
 import { startInterpreter } from "./interpreter.ts";
 import { isolate } from "./isolation.ts";
-import { LoadError, awaited } from "./load_error.ts";
+import { LoadError, pendingFiles } from "./load_error.ts";
 import { CALLS, type CallName, type FrameReply, type StartRequest } from "./messages.ts";
 import { drawable } from "./pixels.ts";
 
@@ -15,7 +15,7 @@ const repeat = self.setInterval.bind(self);
 const stop = self.clearInterval.bind(self);
 
 /** Milliseconds between two signs of life while a call waits for files. */
-const BEAT = 1000;
+const HEARTBEAT_MS = 1000;
 
 /** The functions of `simulations.browser`, one proxy of each for good. */
 let python: Record<string, any> | null = null;
@@ -33,33 +33,33 @@ async function start(request: StartRequest) {
 
 /** Import a scene. */
 async function prepare(scene: string) {
-  const { table } = started();
+  const { table } = requireChunks();
   try {
     python?.prepare(scene);
   } catch (error) {
     // A snapshot has modules without their files; what the scene imports may be one of these.
-    const names = started().toRun(table.scenes[scene] ?? []);
-    if (!started().lacks(names)) throw error;
-    await started().provide(names);
+    const names = requireChunks().chunksToRun(table.scenes[scene] ?? []);
+    if (!requireChunks().lacks(names)) throw error;
+    await requireChunks().provide(names);
     python?.prepare(scene);
   }
   return table.integrity[`${SOURCES}.zip`];
 }
 
 /** The reply of any call. */
-async function answer(name: CallName, request: any) {
-  const { takes, reply } = CALLS[name];
+async function runCall(name: CallName, request: any) {
+  const { parameters, reply } = CALLS[name];
   if (name === "start") return await start(request);
   if (name === "prepare") return reply(await prepare(request.scene));
-  started();
+  requireChunks();
   const begun = performance.now();
-  const taken = reply(python?.[name](...takes.map((argument) => given(request[argument]))));
-  if (name === "render") started().prefetch(started().later.splice(0));
+  const taken = reply(python?.[name](...parameters.map((argument) => toPython(request[argument]))));
+  if (name === "render") requireChunks().prefetch(requireChunks().later.splice(0));
   return "meta" in taken ? { ...taken, computeMs: performance.now() - begun } : taken;
 }
 
 /** An argument as Python takes it: pictures are drawn there, objects are JSON. */
-function given(value: any) {
+function toPython(value: any) {
   if (value === undefined) return "";
   if (value === null) return undefined; // which is None
   if (typeof value !== "object") return value;
@@ -68,23 +68,23 @@ function given(value: any) {
 
 self.onmessage = async ({ data }) => {
   const { id } = data;
-  const beat = () => send({ id, waits: [...awaited][0] ?? "" });
+  const beat = () => send({ id, waits: [...pendingFiles][0] ?? "" });
   beat();
-  const beats = repeat(beat, BEAT);
+  const beats = repeat(beat, HEARTBEAT_MS);
   try {
     if (chunks && data.call !== "start") await provideFor(data, chunks);
-    const reply: Partial<FrameReply> = (await answer(data.call, data)) ?? {};
+    const reply: Partial<FrameReply> = (await runCall(data.call, data)) ?? {};
     const transfer = (reply.rasters ?? []).concat(reply.sound ?? []);
     send({ id, ok: true, ...reply }, { transfer });
   } catch (error) {
-    send({ id, ok: false, ...explain(error) });
+    send({ id, ok: false, ...failureOf(error) });
   } finally {
     stop(beats);
     if (data.picture?.mosaic) free(data.picture.mosaic.codes);
   }
 };
 
-function started(): Chunks {
+function requireChunks(): Chunks {
   if (!chunks) throw new Error("the interpreter has not started");
   return chunks;
 }
@@ -98,7 +98,9 @@ async function provideFor(
   const { scenes, ladders } = chunks.table;
   const imported = scenes[scene] ?? ladders[ladder] ?? [];
   const wanted = edits === undefined ? imported : [...imported, SOURCES];
-  await chunks.provide(call === "prepare" ? chunks.toImport(scene) : chunks.toRun(wanted));
+  await chunks.provide(
+    call === "prepare" ? chunks.chunksToImport(scene) : chunks.chunksToRun(wanted),
+  );
 }
 
 /** An exception whose message is a sentence for the reader. */
@@ -108,18 +110,18 @@ const UNFIT = /^simulations\.engine\.reading\.UnfitError: /;
  * A Python exception leaves the interpreter intact, and so does a file that does not arrive; anything
  * else does not, and exhausted memory needs a new interpreter.
  */
-function explain(error: unknown) {
+function failureOf(error: unknown) {
   const raised = error instanceof Error && error.name === "PythonError";
   const missed = raised ? chunks?.missed : error;
-  const text = wholeMessage(error).trim();
+  const text = fullErrorText(error).trim();
   if (missed instanceof LoadError) {
-    return { error: legible(text), loadError: missed.data, fatal: false };
+    return { error: printable(text), loadError: missed.data, fatal: false };
   }
   const last = raised ? lastException(text) : text;
   if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
-    return { error: legible(last), loadError: { kind: "memory" }, fatal: true };
+    return { error: printable(last), loadError: { kind: "memory" }, fatal: true };
   }
-  return { error: legible(last.replace(UNFIT, "")), fatal: !raised };
+  return { error: printable(last.replace(UNFIT, "")), fatal: !raised };
 }
 
 /** The line of a traceback that names the exception, with what follows it. */

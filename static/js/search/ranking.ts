@@ -85,12 +85,12 @@ export function settings(language: Language) {
  *
  * @param index A MiniSearch.
  */
-export function find(
+export function searchSections(
   index: any,
   language: Language,
   query: string,
 ): { hits: Hit[]; exact: boolean } {
-  const words = asked(query, language);
+  const words = searchedWords(query, language);
   if (words.length === 0) return { hits: [], exact: true };
   const search = (queries: any[], combineWith: string): any[] =>
     index.search({ combineWith, queries }, SEARCH);
@@ -149,7 +149,7 @@ function queryFor({ whole, parts }: Word, language: Language, least: number) {
 }
 
 /** The words of a text but for stop words. */
-function asked(text: string, { stopWords }: Language): Word[] {
+function searchedWords(text: string, { stopWords }: Language): Word[] {
   return wordsIn(text).filter(({ whole, parts }) => parts.length > 0 || !stopWords.has(whole));
 }
 
@@ -162,19 +162,19 @@ function ranked(index: any, found: any[], words: Word[], query: string, language
   const roots = rootsOf(words);
   /** In any order, and in one word or several: `f-number`, `f number`. */
   const isSame = (term: string) => {
-    const others = rootsOf(asked(term, language));
+    const others = rootsOf(searchedWords(term, language));
     return others.join("") === roots.join("") || `${others.sort()}` === `${[...roots].sort()}`;
   };
   const contains = (whole: string[], part: string[]) =>
     part.length > 0 && ` ${whole.join(" ")} `.includes(` ${part.join(" ")} `);
-  const isIn = (text: string) => contains(rootsOf(asked(text, language)), roots);
-  const holds = (term: string) =>
-    term.length >= BEGINNING && contains(roots, rootsOf(asked(term, language)));
+  const isIn = (text: string) => contains(rootsOf(searchedWords(text, language)), roots);
+  const includesTerm = (term: string) =>
+    term.length >= BEGINNING && contains(roots, rootsOf(searchedWords(term, language)));
   const hits = found.map(({ terms: matched, ...section }) => {
     let { score } = section;
     const terms: string[] = [...section.explains, ...section.asked];
     if (terms.some(isSame)) score *= WHOLE.explained;
-    else if (terms.some((term) => isIn(term) || holds(term))) score *= WHOLE.part;
+    else if (terms.some((term) => isIn(term) || includesTerm(term))) score *= WHOLE.part;
     if (section.introduced.some(isSame)) score *= WHOLE.term;
     if (isIn(section.title)) score *= WHOLE.title;
     if (words.length > 1 && fold(section.text).includes(fold(query))) score *= WHOLE.text;

@@ -1,9 +1,9 @@
 /** What is found for the words in the search dialog, as a list of links. */
 
-import { element, one } from "../page/dom.ts";
+import { element, find } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
-import { find, settings, type Hit } from "./ranking.ts";
+import { searchSections, settings, type Hit } from "./ranking.ts";
 import { formsOf, language, type Language, wordsIn } from "./words.ts";
 
 /** The sections of the book, and how words of its language are compared. */
@@ -44,21 +44,21 @@ function address(folder: "assets" | "root", path: string) {
 }
 
 /** The words whose results a list shows. */
-const shown: WeakMap<Element, string> = new WeakMap();
+const shownQuery: WeakMap<Element, string> = new WeakMap();
 
 /** Show what is found for the words that stand in the dialog now. */
 export function show(dialog: HTMLDialogElement, { sections, language: compared }: Index) {
-  const query = one(dialog, "input", HTMLInputElement).value.trim();
-  const list = one(dialog, ".search-results", HTMLElement);
-  if (shown.get(list) === query) return;
-  shown.set(list, query);
-  const { hits, exact } = find(sections, compared, query);
-  const template = one(dialog, "template", HTMLTemplateElement);
+  const query = find(dialog, "input", HTMLInputElement).value.trim();
+  const list = find(dialog, ".search-results", HTMLElement);
+  if (shownQuery.get(list) === query) return;
+  shownQuery.set(list, query);
+  const { hits, exact } = searchSections(sections, compared, query);
+  const template = find(dialog, "template", HTMLTemplateElement);
   list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, compared)));
   list.scrollTop = 0;
-  setText(one(dialog, ".search-status", HTMLElement), summary(query, hits.length, exact));
-  one(dialog, ".search-hint", HTMLElement).hidden = query !== "";
-  one(dialog, ".search-nothing", HTMLElement).hidden = query === "" || hits.length > 0;
+  setText(find(dialog, ".search-status", HTMLElement), summary(query, hits.length, exact));
+  find(dialog, ".search-hint", HTMLElement).hidden = query !== "";
+  find(dialog, ".search-nothing", HTMLElement).hidden = query === "" || hits.length > 0;
 }
 
 function summary(query: string, count: number, exact: boolean) {
@@ -70,11 +70,11 @@ function summary(query: string, count: number, exact: boolean) {
 
 function item(template: HTMLTemplateElement, hit: Hit, compared: Language) {
   const copy = template.content.cloneNode(true) as DocumentFragment;
-  one(copy, "a", HTMLAnchorElement).href = address("root", hit.address);
-  setText(one(copy, ".result-chapter", Element), hit.chapter);
+  find(copy, "a", HTMLAnchorElement).href = address("root", hit.address);
+  setText(find(copy, ".result-chapter", Element), hit.chapter);
   const title = excerpt(hit.title || hit.chapter, hit.matched, compared, Infinity);
-  one(copy, ".result-title", Element).append(...title.map(shownPiece));
-  one(copy, ".result-excerpt", Element).append(...said(hit, compared));
+  find(copy, ".result-title", Element).append(...title.map(pieceElement));
+  find(copy, ".result-excerpt", Element).append(...excerptOf(hit, compared));
   return copy;
 }
 
@@ -82,14 +82,14 @@ function item(template: HTMLTemplateElement, hit: Hit, compared: Language) {
  * An excerpt of that part of the section in which most of the words were found; before the text,
  * what it explains under other words.
  */
-function said(hit: Hit, compared: Language) {
+function excerptOf(hit: Hit, compared: Language) {
   const names = [...hit.explains, ...hit.asked];
   const [text, ...others] = [hit.text, hit.figures, hit.questions, ...names].map((part) =>
     excerpt(part, hit.matched, compared),
   );
   const best = others.reduce((one, other) => (kinds(other) > kinds(one) ? other : one), text);
   const isName = others.indexOf(best) > 1;
-  return (isName ? [...best, { text: " · ", hit: false }, ...text] : best).map(shownPiece);
+  return (isName ? [...best, { text: " · ", hit: false }, ...text] : best).map(pieceElement);
 }
 
 /** How many different words were found. */
@@ -97,7 +97,7 @@ function kinds(pieces: { text: string; hit: boolean }[]) {
   return new Set(pieces.filter(({ hit }) => hit).map(({ text }) => text.toLowerCase())).size;
 }
 
-function shownPiece({ text, hit }: { text: string; hit: boolean }) {
+function pieceElement({ text, hit }: { text: string; hit: boolean }) {
   return element(hit ? "mark" : "span", "", text);
 }
 

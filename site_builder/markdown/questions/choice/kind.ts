@@ -1,6 +1,6 @@
 /** One answer that is right, or several. */
 
-import { all, one } from "../../../../static/js/page/dom.ts";
+import { findAll, find } from "../../../../static/js/page/dom.ts";
 import { words } from "../../../../static/js/page/words.ts";
 import { isPrediction, type Kind, type Question } from "../../../../static/js/question/question.ts";
 import { shuffled } from "../../../../static/js/question/shuffle.ts";
@@ -64,19 +64,19 @@ export const kind: Kind<Question, Chosen> = {
 
 /** Show the options in the reader's own order; each keeps its value. */
 function shuffle(form: HTMLFormElement, name: string) {
-  const labels = all(form, "label.option", HTMLElement);
-  const place = (label: HTMLElement) => Number(one(label, "input", HTMLInputElement).value);
+  const labels = findAll(form, "label.option", HTMLElement);
+  const place = (label: HTMLElement) => Number(find(label, "input", HTMLInputElement).value);
   labels.sort((first, second) => place(first) - place(second));
   const parent = labels[0]?.parentElement;
   parent?.append(...shuffled(name, labels.length).map((index) => labels[index]));
 }
 
 function boxes(form: HTMLFormElement) {
-  return all(form, "fieldset input", HTMLInputElement);
+  return findAll(form, "fieldset input", HTMLInputElement);
 }
 
 function textOf(form: HTMLFormElement, option: number) {
-  const box = one(form, `input[value="${option}"]`, HTMLInputElement);
-  const text = one(box.parentElement ?? form, ".option-text", HTMLElement);
+  const box = find(form, `input[value="${option}"]`, HTMLInputElement);
+  const text = find(box.parentElement ?? form, ".option-text", HTMLElement);
   return [...text.cloneNode(true).childNodes];
 }

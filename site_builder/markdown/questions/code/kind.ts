@@ -4,13 +4,20 @@
  */
 
 import type { CodeEditor } from "../../../../site_builder/editor/code_editor.ts";
-import { useInFigure } from "../../../../static/js/editor/feature.ts";
+import { drawFigureWith } from "../../../../static/js/editor/feature.ts";
 import { loadEditor } from "../../../../static/js/editor/load.ts";
-import { legible, message } from "../../../../static/js/errors.ts";
+import { printable, errorText } from "../../../../static/js/errors.ts";
 import { addPoint, type Ladder, type Result } from "../../../../static/js/ladder/chart.ts";
-import { all, data, element, maybe, one, within } from "../../../../static/js/page/dom.ts";
-import { recall, remember } from "../../../../static/js/page/storage.ts";
-import { inWords, words, type Said } from "../../../../static/js/page/words.ts";
+import {
+  findAll,
+  data,
+  element,
+  findOptional,
+  find,
+  closestTo,
+} from "../../../../static/js/page/dom.ts";
+import { loadItem, saveItem } from "../../../../static/js/page/storage.ts";
+import { messageText, words, type Message } from "../../../../static/js/page/words.ts";
 import {
   forms,
   type Kind,
@@ -19,12 +26,12 @@ import {
   questionOf,
 } from "../../../../static/js/question/question.ts";
 import {
-  beginConfined,
+  startConfinedWorker,
   Runtime,
   RuntimeFailure,
   sharedRuntime,
 } from "../../../../static/js/runtime/runtime.ts";
-import { compared } from "../../../../static/js/ladder/compared.ts";
+import { comparisonSentences } from "../../../../static/js/ladder/comparison.ts";
 
 interface Exercise extends Question {
   program: {
@@ -41,7 +48,7 @@ interface Exercise extends Question {
 
 /** What a stage finds; `miss` is a `Miss`, `trials` are `Trial`s of simulations/editing/exercise.py. */
 interface Found {
-  problem?: { message: string | Said; line: number };
+  problem?: { message: string | Message; line: number };
   printed: string;
   count: number;
   miss: Miss | null;
@@ -75,7 +82,7 @@ export const kind: Kind<Exercise, Program> = {
       document.addEventListener(name, () => {
         for (const form of exercises()) {
           if (name === "answers-forgotten") answerIn(form).forget();
-          else if (answered(form)) remember(keyOf(form), null);
+          else if (answered(form)) saveItem(keyOf(form), null);
           answerIn(form).restore();
         }
       });
@@ -104,12 +111,12 @@ function exercises() {
 }
 
 function answerIn(form: HTMLFormElement) {
-  return one(form, "code-answer", CodeAnswer);
+  return find(form, "code-answer", CodeAnswer);
 }
 
 /** The text that was checked last, if any. */
 function answered(form: HTMLFormElement): string | undefined {
-  return recall(`quiz:${form.dataset.quiz}`)?.answer?.code;
+  return loadItem(`quiz:${form.dataset.quiz}`)?.answer?.code;
 }
 
 /** Under which the reader's text is kept. */
@@ -130,7 +137,7 @@ class CodeAnswer extends HTMLElement {
 
   connectedCallback() {
     const { form, area } = this;
-    one(this, ".row", HTMLElement).prepend(one(form, "[type=submit]", HTMLButtonElement)); // near the code, not below all results
+    find(this, ".row", HTMLElement).prepend(find(form, "[type=submit]", HTMLButtonElement)); // near the code, not below all results
     this.restore();
     form.addEventListener("reset", () => queueMicrotask(() => this.restore()));
     area.addEventListener("focus", () => this.#open(), { once: true });
@@ -141,15 +148,16 @@ class CodeAnswer extends HTMLElement {
   /** Show the text that is kept, or what the exercise starts with. */
   restore() {
     const { form } = this;
-    this.text = recall(keyOf(form))?.text ?? answered(form) ?? this.#question.starter;
+    this.text = loadItem(keyOf(form))?.text ?? answered(form) ?? this.#question.starter;
   }
 
   /** What was written and found is gone. */
   forget() {
-    remember(keyOf(this.form), null);
+    saveItem(keyOf(this.form), null);
     this.#tried.clear();
-    this.#say("");
-    for (const found of all(this, ".code-chart, .code-solution", HTMLElement)) found.hidden = true;
+    this.#showMessage("");
+    for (const found of findAll(this, ".code-chart, .code-solution", HTMLElement))
+      found.hidden = true;
   }
 
   disconnectedCallback() {
@@ -162,7 +170,7 @@ class CodeAnswer extends HTMLElement {
   }
 
   get area() {
-    return one(this, "textarea", HTMLTextAreaElement);
+    return find(this, "textarea", HTMLTextAreaElement);
   }
 
   get text() {
@@ -182,7 +190,7 @@ class CodeAnswer extends HTMLElement {
   async check(): Promise<Program> {
     const check = ++this.#check;
     const code = this.text;
-    this.#say(words("exercise.trying"));
+    this.#showMessage(words("exercise.trying"));
     this.#running(true);
     try {
       const found = await this.#judged("values", code);
@@ -200,7 +208,7 @@ class CodeAnswer extends HTMLElement {
       const byCode = error instanceof RuntimeFailure && ["lost", "python"].includes(error.kind);
       if (check !== this.#check) throw stopped();
       if (!byCode) throw error;
-      this.#say(reasonOf(error));
+      this.#showMessage(reasonOf(error));
       return { code, reply: this.#question.options.length };
     } finally {
       if (check === this.#check && !this.dataset.stage) this.#running(false);
@@ -236,7 +244,7 @@ class CodeAnswer extends HTMLElement {
     const { program } = this.#question;
     const book = sharedRuntime();
     if (!book || !Runtime.supported) throw new Error(words("figure.does_not_run"));
-    judge ??= new Runtime(book.url, () => [], beginConfined);
+    judge ??= new Runtime(book.url, () => [], startConfinedWorker);
     const request = { program: JSON.stringify(program), edits, stage, ladder: program.ladder };
     try {
       return (await judge.call("exercise", request, () => 0, LIMITS[stage])) as any;
@@ -248,7 +256,7 @@ class CodeAnswer extends HTMLElement {
   }
 
   #showValues({ problem, printed, miss, count }: Found) {
-    this.#say("");
+    this.#showMessage("");
     if (problem) this.#showProblem({ problem, printed });
     else if (!miss) this.#add(words("exercise.values_right", { count }));
     else this.#showMiss(miss);
@@ -258,7 +266,7 @@ class CodeAnswer extends HTMLElement {
 
   #showProblem({ problem }: Pick<Found, "problem" | "printed">) {
     if (!problem) return;
-    const said = inWords(problem.message);
+    const said = messageText(problem.message);
     const { line } = problem;
     this.#add(line ? words("exercise.problem", { line, said }) : said);
   }
@@ -291,10 +299,10 @@ class CodeAnswer extends HTMLElement {
 
   #showWorkload({ yours, tiers }: Found) {
     const ladder: Ladder = data(this, "script.ladder-data");
-    this.#add(compared(yours, tiers, ladder, this.#question.program.tier).join(" "));
-    const chart = one(this, ".code-chart", HTMLElement);
+    this.#add(comparisonSentences(yours, tiers, ladder, this.#question.program.tier).join(" "));
+    const chart = find(this, ".code-chart", HTMLElement);
     chart.hidden = false;
-    const [own, mine] = [one(chart, ".own", SVGElement), one(chart, ".mine", SVGElement)];
+    const [own, mine] = [find(chart, ".own", SVGElement), find(chart, ".mine", SVGElement)];
     own.replaceChildren();
     for (const tier of tiers) addPoint(own, tier, ladder);
     for (const earlier of mine.children) earlier.classList.add("earlier");
@@ -307,7 +315,7 @@ class CodeAnswer extends HTMLElement {
     const list = element("ul");
     for (const { call, got, expected, why } of trials.filter((each) => !each.passed)) {
       list.append(
-        element("li", "", legible(words("exercise.hard_case", { call, got, expected, why }))),
+        element("li", "", printable(words("exercise.hard_case", { call, got, expected, why }))),
       );
     }
     if (passed === trials.length) return;
@@ -323,29 +331,29 @@ class CodeAnswer extends HTMLElement {
 
   /** @param right What is stored, if it is right. */
   offerSolution(right: string | null) {
-    const solution = one(this, ".code-solution", HTMLElement);
+    const solution = find(this, ".code-solution", HTMLElement);
     solution.hidden &&= right === null && this.#tried.size < TRIES;
     this.#right = right;
     this.#refresh();
   }
 
   get #results() {
-    return one(this, "[data-results]", HTMLElement);
+    return find(this, "[data-results]", HTMLElement);
   }
 
   /** In place of earlier results. */
-  #say(text: string) {
+  #showMessage(text: string) {
     this.#results.replaceChildren(...(text ? [element("p", "", text)] : []));
   }
 
   #add(text: string) {
-    const line = element("p", "", legible(text));
+    const line = element("p", "", printable(text));
     this.#results.append(line);
     return line;
   }
 
   #press(event: MouseEvent) {
-    const button = within(event, "button", HTMLButtonElement);
+    const button = closestTo(event, "button", HTMLButtonElement);
     if (!button) return;
     if ("stop" in button.dataset) this.#stop();
     if ("putBack" in button.dataset) this.text = this.#question.starter;
@@ -358,7 +366,7 @@ class CodeAnswer extends HTMLElement {
     this.#end();
     delete this.dataset.stage;
     this.#running(false);
-    this.#say(words("exercise.ended"));
+    this.#showMessage(words("exercise.ended"));
   }
 
   #end() {
@@ -367,8 +375,8 @@ class CodeAnswer extends HTMLElement {
   }
 
   #showHint(button: HTMLButtonElement) {
-    one(this, ".code-hints", HTMLElement).hidden = false;
-    const [next, ...later] = all(this, ".code-hints > [hidden]", HTMLElement);
+    find(this, ".code-hints", HTMLElement).hidden = false;
+    const [next, ...later] = findAll(this, ".code-hints > [hidden]", HTMLElement);
     next.hidden = false;
     button.disabled = later.length === 0;
   }
@@ -377,14 +385,14 @@ class CodeAnswer extends HTMLElement {
     const { program, figure, settings } = this.#question;
     try {
       const text = `${this.text.trimEnd()}\n\n\n${program.adapter}`;
-      await useInFigure(figure, program.model, text, settings);
+      await drawFigureWith(figure, program.model, text, settings);
     } catch (error) {
-      this.#add(message(error));
+      this.#add(errorText(error));
     }
   }
 
   #running(busy: boolean) {
-    one(this, "[data-stop]", HTMLButtonElement).disabled = !busy;
+    find(this, "[data-stop]", HTMLButtonElement).disabled = !busy;
     this.form.toggleAttribute("aria-busy", busy);
   }
 
@@ -397,7 +405,7 @@ class CodeAnswer extends HTMLElement {
     if (!Editor || !this.isConnected) return;
     const { area } = this;
     const place = element("div", "code-editor");
-    const known = `${this.area.value} ${one(this, ".code-hints", HTMLElement).textContent}`;
+    const known = `${this.area.value} ${find(this, ".code-hints", HTMLElement).textContent}`;
     const editor = new Editor(place, {
       members: [...known.matchAll(/\bnp\.([\w.]*\w)/g)].map(([, member]) => member),
       hint: area.getAttribute("aria-describedby") ?? "",
@@ -422,13 +430,14 @@ class CodeAnswer extends HTMLElement {
     if (this.#editor && this.#editor.text !== text) this.#editor.replace(text);
     this.#editor?.mark(0);
     const kept = text === starter && !answered(this.form) ? null : { text };
-    if (text !== recall(keyOf(this.form))?.text) remember(keyOf(this.form), kept);
+    if (text !== loadItem(keyOf(this.form))?.text) saveItem(keyOf(this.form), kept);
     this.#refresh();
   }
 
   #refresh() {
-    one(this, "[data-put-back]", HTMLButtonElement).disabled = this.text === this.#question.starter;
-    const use = maybe(this, "[data-use]", HTMLButtonElement);
+    find(this, "[data-put-back]", HTMLButtonElement).disabled =
+      this.text === this.#question.starter;
+    const use = findOptional(this, "[data-use]", HTMLButtonElement);
     if (use) use.disabled = this.text !== this.#right;
   }
 }
@@ -440,5 +449,5 @@ function stopped() {
 
 /** What ended the code. */
 function reasonOf(error: unknown) {
-  return words("exercise.broke_off", { reason: message(error) });
+  return words("exercise.broke_off", { reason: errorText(error) });
 }

@@ -1,7 +1,7 @@
 /** A number: right within a tolerance, or one that a known mistake leads to. */
 
-import { one } from "../../../../static/js/page/dom.ts";
-import { numberTyped, numeral, words } from "../../../../static/js/page/words.ts";
+import { find } from "../../../../static/js/page/dom.ts";
+import { parseNumber, numeral, words } from "../../../../static/js/page/words.ts";
 import type { Kind, Option, Question } from "../../../../static/js/question/question.ts";
 
 interface Measured extends Question {
@@ -12,9 +12,9 @@ interface Measured extends Question {
 
 export const kind: Kind<Measured, number> = {
   read(form) {
-    const unit = one(form, ".unit", HTMLElement).textContent ?? "";
+    const unit = find(form, ".unit", HTMLElement).textContent ?? "";
     const typed = field(form).value.trim();
-    const value = numberTyped(typed.endsWith(unit) ? typed.replace(unit, "") : typed);
+    const value = parseNumber(typed.endsWith(unit) ? typed.replace(unit, "") : typed);
     return Number.isFinite(value) ? value : null;
   },
 
@@ -38,16 +38,16 @@ export const kind: Kind<Measured, number> = {
   },
 
   compare(form, { truth = "" }, given) {
-    const unit = one(form, ".unit", HTMLElement).textContent ?? "";
+    const unit = find(form, ".unit", HTMLElement).textContent ?? "";
     return [given === null ? null : [`${numeral(String(given))} ${unit}`.trim()], [truth]];
   },
 };
 
 function field(form: HTMLFormElement) {
-  return one(form, "fieldset input", HTMLInputElement);
+  return find(form, "fieldset input", HTMLInputElement);
 }
 
-/** The nearest of the known answers that a number may be taken for: as `Measure.within` of kind.py. */
+/** The nearest of the known answers that a number may be taken for: as `Measure.within` of `kind.py`. */
 function recognised(options: Option[], given: number, tolerance: number): Option | undefined {
   const distance = ({ value = Infinity }: Option) => Math.abs(value - given);
   const within = ({ correct, value = 0 }: Option) =>

@@ -1,6 +1,6 @@
 /** Things to be put in order: dragged by their grip, or moved by their buttons. */
 
-import { all, maybe, one, within } from "../../../../static/js/page/dom.ts";
+import { findAll, findOptional, find, closestTo } from "../../../../static/js/page/dom.ts";
 import { setText } from "../../../../static/js/page/text.ts";
 import { words } from "../../../../static/js/page/words.ts";
 import type { Kind, Question } from "../../../../static/js/question/question.ts";
@@ -9,14 +9,14 @@ import { shuffled } from "../../../../static/js/question/shuffle.ts";
 export const kind: Kind<Question, number[]> = {
   install() {
     document.addEventListener("click", (event) => {
-      const button = within(event, ".order [data-move]", HTMLButtonElement);
+      const button = closestTo(event, ".order [data-move]", HTMLButtonElement);
       if (!button) return;
       step(button);
       button.focus();
     });
     document.addEventListener("pointerdown", (event) => {
-      const item = within(event, ".order-item", HTMLElement);
-      if (item && within(event, ".grip", Element) && event.button === 0) drag(item, event);
+      const item = closestTo(event, ".order-item", HTMLElement);
+      if (item && closestTo(event, ".grip", Element) && event.button === 0) drag(item, event);
     });
   },
 
@@ -62,7 +62,7 @@ function mixed(name: string, count: number) {
 function arrange(form: HTMLFormElement, places: number[]) {
   const byPlace = new Map(items(form).map((item) => [placeOf(item), item]));
   const sorted = places.flatMap((place) => byPlace.get(place) ?? []);
-  one(form, ".order", HTMLElement).append(...sorted);
+  find(form, ".order", HTMLElement).append(...sorted);
 }
 
 function step(button: HTMLButtonElement) {
@@ -114,15 +114,15 @@ function announcePlace(item: HTMLElement) {
   if (!form) return;
   const all = items(form);
   const thing = item.querySelector(".option-text")?.textContent ?? "";
-  const place = maybe(form, ".order-place", HTMLElement);
+  const place = findOptional(form, ".order-place", HTMLElement);
   const there = { place: all.indexOf(item) + 1, count: all.length };
   setText(place, words("question.place", { thing, ...there }));
 }
 
 function items(form: HTMLFormElement) {
-  return all(form, ".order-item", HTMLElement);
+  return findAll(form, ".order-item", HTMLElement);
 }
 
 function placeOf(item: HTMLElement) {
-  return Number(one(item, "input", HTMLInputElement).value);
+  return Number(find(item, "input", HTMLInputElement).value);
 }

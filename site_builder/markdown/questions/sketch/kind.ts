@@ -3,7 +3,7 @@
  * the sliders that lie over it, which arrow keys move.
  */
 
-import { all, one, within } from "../../../../static/js/page/dom.ts";
+import { findAll, find, closestTo } from "../../../../static/js/page/dom.ts";
 import { numeral, words } from "../../../../static/js/page/words.ts";
 import { type Kind, type Question, questionOf } from "../../../../static/js/question/question.ts";
 
@@ -28,21 +28,21 @@ const CLOSE = 0.1;
 export const kind: Kind<Sketched, number[]> = {
   install() {
     document.addEventListener("pointerdown", (event) => {
-      const svg = within(event, ".sketch > svg", SVGSVGElement);
+      const svg = closestTo(event, ".sketch > svg", SVGSVGElement);
       const form = svg?.closest("form");
       if (!svg || !form || event.button !== 0 || form.dataset.answered) return;
       event.preventDefault();
       draw(svg, form, event);
     });
     document.addEventListener("input", (event) => {
-      const form = within(event, ".sketch-points input", Element)?.closest("form");
+      const form = closestTo(event, ".sketch-points input", Element)?.closest("form");
       if (!form) return;
-      within(event, "input", HTMLInputElement)?.classList.add("set");
+      closestTo(event, "input", HTMLInputElement)?.classList.add("set");
       redraw(form);
     });
     for (const name of ["focusin", "focusout"]) {
       document.addEventListener(name, (event) => {
-        const form = within(event, ".sketch-points input", Element)?.closest("form");
+        const form = closestTo(event, ".sketch-points input", Element)?.closest("form");
         if (form) markFocus(form);
       });
     }
@@ -58,7 +58,7 @@ export const kind: Kind<Sketched, number[]> = {
       circle.setAttribute("cx", String(across(index, sketch)));
       return circle;
     });
-    one(form, ".points", SVGGElement).replaceChildren(...points);
+    find(form, ".points", SVGGElement).replaceChildren(...points);
     place(form, sketch);
   },
 
@@ -153,17 +153,17 @@ function redraw(form: HTMLFormElement) {
 function place(form: HTMLFormElement, sketch: Sketch) {
   const { top, bottom } = sketch.field;
   const [least, most] = sketch.y;
-  const circles = all(form, ".points circle", SVGCircleElement);
+  const circles = findAll(form, ".points circle", SVGCircleElement);
   const corners = sliders(form).map((slider, index) => {
     const y = bottom + ((top - bottom) * (slider.valueAsNumber - least)) / (most - least);
     circles[index]?.setAttribute("cy", y.toFixed(1));
     return `${across(index, sketch).toFixed(1)} ${y.toFixed(1)}`;
   });
-  one(form, ".drawn", SVGPathElement).setAttribute("d", `M${corners.join("L")}`);
+  find(form, ".drawn", SVGPathElement).setAttribute("d", `M${corners.join("L")}`);
 }
 
 function markFocus(form: HTMLFormElement) {
-  const circles = all(form, ".points circle", SVGCircleElement);
+  const circles = findAll(form, ".points circle", SVGCircleElement);
   for (const [index, slider] of sliders(form).entries()) {
     circles[index]?.classList.toggle("focused", slider === document.activeElement);
   }
@@ -183,5 +183,5 @@ function sketchOf(form: HTMLFormElement) {
 }
 
 function sliders(form: HTMLFormElement) {
-  return all(form, ".sketch-points input", HTMLInputElement);
+  return findAll(form, ".sketch-points input", HTMLInputElement);
 }

@@ -1,19 +1,19 @@
 /** The reader's own pictures in a figure that takes them: chosen, sent to Python, and put back. */
 
-import { message } from "../errors.ts";
-import { maybe, one, within } from "../page/dom.ts";
+import { errorText } from "../errors.ts";
+import { findOptional, find, closestTo } from "../page/dom.ts";
 import type { Picture, Reading } from "../runtime/messages.ts";
 import type { Caller } from "../runtime/runtime.ts";
 import type { Size, Source } from "./photograph.ts";
-import { say } from "./status.ts";
+import { showMessage } from "./status.ts";
 
 const LARGE_MEGAPIXELS = 4;
 
 /** Which picture is looked at. */
-export type Chosen = Source & { number: number };
+export type ChosenPicture = Source & { number: number };
 
-export class OwnPicture {
-  #chosen: Chosen | null = null;
+export class ReaderPicture {
+  #chosen: ChosenPicture | null = null;
   /** Pixels of the chosen picture, until they are handed over: they are many. */
   #decoded: Picture | null = null;
   #readings: Reading[] = [];
@@ -33,12 +33,12 @@ export class OwnPicture {
     readonly changed: () => void,
     signal: AbortSignal,
   ) {
-    const box = maybe(figure, ".photograph", HTMLElement);
+    const box = findOptional(figure, ".photograph", HTMLElement);
     // The menu of the book's pictures leads back to them.
     figure.addEventListener(
       "input",
       (event) => {
-        const menu = within(event, "select", HTMLSelectElement);
+        const menu = closestTo(event, "select", HTMLSelectElement);
         if (box && menu?.name === "picture" && this.#chosen) this.#show(null);
       },
       { signal },
@@ -47,9 +47,9 @@ export class OwnPicture {
     box?.addEventListener(
       "click",
       (event) => {
-        if (within(event, ".photograph-choose", HTMLElement))
-          one(box, "input", HTMLElement).click();
-        else if (within(event, "button", HTMLElement)) this.#show(null);
+        if (closestTo(event, ".photograph-choose", HTMLElement))
+          find(box, "input", HTMLElement).click();
+        else if (closestTo(event, "button", HTMLElement)) this.#show(null);
       },
       { signal },
     );
@@ -68,7 +68,7 @@ export class OwnPicture {
   }
 
   /** From now on use what was read of all pictures, and the chosen one, which is looked at. */
-  use(chosen: Chosen | null, readings: Reading[]) {
+  set(chosen: ChosenPicture | null, readings: Reading[]) {
     this.#chosen = this.size ? chosen : null;
     const numbers = (list: Reading[]) => list.map(({ number }) => number).join();
     if (numbers(readings) !== numbers(this.#readings)) this.#version += 1;
@@ -77,11 +77,11 @@ export class OwnPicture {
   }
 
   /** Send the pictures of the figure with this key to the interpreter, where that lacks them. */
-  async handOver(runtime: Caller, figure: string) {
+  async sendTo(runtime: Caller, figure: string) {
     const number = this.#chosen?.number ?? 0;
     const sending = (what: number) => `${runtime.generation} ${what}`;
     if (sending(number) !== this.#sent.picture && (number || this.#sent.picture)) {
-      const picture = await this.#take();
+      const picture = await this.#takeDecoded();
       await runtime.call("photograph", { figure, picture }, () => 2);
       this.#sent.picture = sending(number);
     }
@@ -93,38 +93,38 @@ export class OwnPicture {
   }
 
   /** The chosen picture, to be sent once. */
-  async #take(): Promise<Picture | null> {
+  async #takeDecoded(): Promise<Picture | null> {
     const [chosen, taken] = [this.#chosen, this.#decoded];
     this.#decoded = null;
     if (!chosen || !this.size) return null;
     if (taken?.number === chosen.number) return taken;
-    const { decode } = await import("./photograph.ts");
-    return await decode(chosen, chosen.number, this.size);
+    const { decodePicture } = await import("./photograph.ts");
+    return await decodePicture(chosen, chosen.number, this.size);
   }
 
   async #choose(event: Event) {
-    const input = within(event, "input", HTMLInputElement);
+    const input = closestTo(event, "input", HTMLInputElement);
     const file = input?.files?.[0];
     if (!input || !file || !this.size) return;
     try {
-      const { decode, isCropped, nextNumber } = await import("./photograph.ts");
-      const chosen = { number: nextNumber(), name: file.name, file };
-      const picture = await decode(chosen, chosen.number, this.size);
+      const { decodePicture, isCropped, nextPictureNumber } = await import("./photograph.ts");
+      const chosen = { number: nextPictureNumber(), name: file.name, file };
+      const picture = await decodePicture(chosen, chosen.number, this.size);
       if (!this.figure.isConnected) return;
-      say(this.figure, "");
+      showMessage(this.figure, "");
       this.#decoded = picture;
       this.#show(chosen, isCropped(picture));
     } catch (error) {
-      say(this.figure, message(error));
+      showMessage(this.figure, errorText(error));
     } finally {
       input.value = ""; // the same file may be chosen again
     }
   }
 
-  #show(chosen: Chosen | null, cropped: boolean = false) {
+  #show(chosen: ChosenPicture | null, cropped: boolean = false) {
     this.#chosen = chosen;
-    one(this.figure, ".photograph-back", HTMLElement).hidden = !chosen;
-    one(this.figure, ".photograph-cropped", HTMLElement).hidden = !cropped;
+    find(this.figure, ".photograph-back", HTMLElement).hidden = !chosen;
+    find(this.figure, ".photograph-cropped", HTMLElement).hidden = !cropped;
     this.changed();
   }
 }

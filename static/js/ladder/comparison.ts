@@ -11,7 +11,12 @@ const ALIKE = { share: 0.01, decibels: 0.1, rounding: 1e-12 };
  * tier that beats it; or else the tiers that are next in speed and in error. Times are alike where
  * their middle halves overlap.
  */
-export function compared(yours: Result, tiers: Result[], ladder: Ladder, tier: string): string[] {
+export function comparisonSentences(
+  yours: Result,
+  tiers: Result[],
+  ladder: Ladder,
+  tier: string,
+): string[] {
   const [metric] = ladder.metrics;
   const label = (id: string) => ladder.tiers.find((each) => each.id === id)?.label ?? id;
   const loss = ({ errors }: Result) => {
@@ -27,16 +32,16 @@ export function compared(yours: Result, tiers: Result[], ladder: Ladder, tier: s
     const slack = metric.unit === "dB" ? ALIKE.decibels : share;
     return a < b - slack ? 1 : a > b + slack ? -1 : 0;
   };
-  const said: string[] = [];
+  const sentences: string[] = [];
   const book = tiers.find((each) => each.tier === tier);
   if (book) {
     const ratio = book.milliseconds / yours.milliseconds;
     const times = numeral(String(Number((ratio < 1 ? 1 / ratio : ratio).toPrecision(2))));
     const key = ["slower", "as_fast", "faster"][speed(yours, book) + 1];
-    said.push(words(`exercise.${key}`, { times, tier: label(tier) }));
-    const [own, other] = [yours, book].map(({ errors }) => errorText(errors[metric.id]));
-    const error = { metric: metric.label, own, other, unit: metric.unit };
-    said.push(words(`exercise.${quality(yours, book) === 0 ? "as_exact" : "error"}`, error));
+    sentences.push(words(`exercise.${key}`, { times, tier: label(tier) }));
+    const [value, other] = [yours, book].map(({ errors }) => errorText(errors[metric.id]));
+    const error = { metric: metric.label, value, other, unit: metric.unit };
+    sentences.push(words(`exercise.${quality(yours, book) === 0 ? "as_exact" : "error"}`, error));
   }
   const winner = tiers
     .filter((each) => {
@@ -47,18 +52,18 @@ export function compared(yours: Result, tiers: Result[], ladder: Ladder, tier: s
   if (winner) {
     const [time, error] = [speed(winner, yours), quality(winner, yours)];
     const key = time === 0 ? "beaten_in_error" : error === 0 ? "beaten_in_time" : "beaten";
-    return [...said, words(`exercise.${key}`, { tier: label(winner.tier) })];
+    return [...sentences, words(`exercise.${key}`, { tier: label(winner.tier) })];
   }
-  said.push(words("exercise.unbeaten"));
+  sentences.push(words("exercise.unbeaten"));
   const quicker = tiers
     .filter((each) => speed(each, yours) > 0)
     .sort((one, other) => loss(one) - loss(other))[0];
   const better = tiers
     .filter((each) => quality(each, yours) > 0)
     .sort((one, other) => one.milliseconds - other.milliseconds)[0];
-  if (quicker) said.push(words("exercise.way_faster", { tier: label(quicker.tier) }));
-  if (better) said.push(words("exercise.way_better", { tier: label(better.tier) }));
-  return said;
+  if (quicker) sentences.push(words("exercise.faster_tier", { tier: label(quicker.tier) }));
+  if (better) sentences.push(words("exercise.more_accurate_tier", { tier: label(better.tier) }));
+  return sentences;
 }
 
 function errorText(error: number | null) {

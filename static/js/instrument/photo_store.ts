@@ -9,9 +9,9 @@ import { KINDS } from "../figure/control_kinds.js";
 import type { SimulationFigure } from "../figure/element.ts";
 import { settingsOf } from "../figure/permalink.ts";
 import type { Source } from "../figure/photograph.ts";
-import { recall, remember } from "../page/storage.ts";
+import { loadItem, saveItem } from "../page/storage.ts";
 
-/** `ready`: decoded, and read where the scene reads; `refused`: `said` says why. */
+/** `ready`: decoded, and read where the scene reads; `refused`: `message` says why. */
 export type State = "waiting" | "reading" | "ready" | "refused";
 
 export interface Photo extends Source {
@@ -20,7 +20,7 @@ export interface Photo extends Source {
   /** In Python. */
   number: number;
   state: State;
-  said: string;
+  message: string;
   thumbnail: Blob | null;
   /** What its scene keeps of it. */
   data: unknown;
@@ -29,37 +29,39 @@ export interface Photo extends Source {
 }
 
 /** Key in storage of the settings of a scene's figure whose photographs are kept. */
-export function keyOf(scene: string) {
+export function sessionKey(scene: string) {
   return `instrument:${scene}`;
 }
 
 const STORE = "photographs";
 /** Key of `false` where photographs are not to be kept; phones end pages that are not looked at. */
-export const WANTED = "instruments-keep";
+export const KEEP_KEY = "instruments-keep";
 
 /** `order` in which they were added; `sources` of the Python that read it. */
-type Kept = Omit<Photo, "number"> & { scene: string; order: number; sources: string };
+type StoredPhoto = Omit<Photo, "number"> & { scene: string; order: number; sources: string };
 
 /**
  * Those of a scene, in order. What was not yet read when the page was left, or by another version of
  * its Python, is to be read again.
  */
-export async function keptPhotos(scene: string): Promise<Omit<Photo, "number">[]> {
-  const kept: Kept[] = await within("readonly", (store) => store.index("scene").getAll(scene));
+export async function loadPhotos(scene: string): Promise<Omit<Photo, "number">[]> {
+  const stored: StoredPhoto[] = await inStore("readonly", (store) =>
+    store.index("scene").getAll(scene),
+  );
   const current = document.body.dataset.sources ?? "";
-  return kept
+  return stored
     .toSorted((one, other) => one.order - other.order)
     .map(({ order: _order, scene: _scene, sources, ...photo }) =>
       sources === current && photo.state !== "reading"
         ? photo
-        : { ...photo, state: "waiting", said: "", data: null },
+        : { ...photo, state: "waiting", message: "", data: null },
     );
 }
 
 /** Keep photographs as they are now, each at its place among all. */
-export async function keep(scene: string, photos: Photo[], all: Photo[]) {
+export async function savePhotos(scene: string, photos: Photo[], all: Photo[]) {
   const sources = document.body.dataset.sources ?? "";
-  await within("readwrite", (store) => {
+  await inStore("readwrite", (store) => {
     for (const { number: _number, ...photo } of photos) {
       const order = all.findIndex(({ id }) => id === photo.id);
       store.put({ ...photo, scene, order, sources });
@@ -68,19 +70,19 @@ export async function keep(scene: string, photos: Photo[], all: Photo[]) {
   });
 }
 
-export async function erase(photos: Photo[]) {
-  await within("readwrite", (store) => {
+export async function deletePhotos(photos: Photo[]) {
+  await inStore("readwrite", (store) => {
     for (const { id } of photos) store.delete(id);
     return store.count();
   });
 }
 
 /** @throws Where the browser denies storage, or has no room. */
-async function within<T>(
+async function inStore<T>(
   mode: IDBTransactionMode,
   act: (store: IDBObjectStore) => IDBRequest<T>,
 ): Promise<T> {
-  const database = await opened();
+  const database = await openDatabase();
   try {
     const transaction = database.transaction(STORE, mode);
     const request = act(transaction.objectStore(STORE));
@@ -94,7 +96,7 @@ async function within<T>(
   }
 }
 
-function opened(): Promise<IDBDatabase> {
+function openDatabase(): Promise<IDBDatabase> {
   return new Promise((resolve, reject) => {
     const request = indexedDB.open(`${STORAGE}${STORE}`, 1);
     request.onupgradeneeded = () => {
@@ -105,15 +107,15 @@ function opened(): Promise<IDBDatabase> {
   });
 }
 
-export function keepSession(scene: string, figure: SimulationFigure) {
+export function saveSession(scene: string, figure: SimulationFigure) {
   const { form, controls } = settingsOf(figure);
-  remember(keyOf(scene), readValues(form, controls));
+  saveItem(sessionKey(scene), readValues(form, controls));
 }
 
 /** Put a figure to the settings that were kept, unless the address of its page has some. */
 export function restoreSession(scene: string, figure: SimulationFigure) {
   const { form, controls } = settingsOf(figure);
-  const kept = recall(keyOf(scene));
+  const kept = loadItem(sessionKey(scene));
   if (kept === null || isAddressed(figure)) return;
   const values = controls.map((control) => {
     return [control.name, KINDS[control.kind].parse(control, String(kept[control.name]))];
