@@ -239,10 +239,20 @@ BROKEN = (
         " true}}}",
         '"quiz:affine-dof" is broken',
     ),
+    (
+        HEAD
+        + json.dumps(
+            {f"quiz:{n}": {"edition": "", "answer": 0, "right": True} for n in range(15_000)}
+        )
+        + "}",
+        "0 answers",
+    ),
 )
 
 
-def test_broken_progress_file_changes_nothing(plain_reader: Reader, tmp_path: Path) -> None:
+def test_progress_file_that_is_broken_or_of_another_book_changes_nothing(
+    plain_reader: Reader, tmp_path: Path
+) -> None:
     plain_reader.open(live=False)
     page, file = plain_reader.page, tmp_path / "broken.json"
     for content, words in BROKEN:

@@ -109,7 +109,7 @@ async function exportFile(section: HTMLElement) {
 async function importFile(section: HTMLElement, file: File) {
   const { readProgress } = await import("./progress_file.ts");
   try {
-    const count = await readProgress(file);
+    const count = await readProgress(file, `${document.body.dataset.root ?? ""}book.json`);
     document.dispatchEvent(new Event("answers-read"));
     showMessage(section, words("progress.read", { file: file.name, count }));
   } catch (error) {

@@ -32,11 +32,24 @@ export function saveProgress(who: string): number {
   return Object.keys(answers).length;
 }
 
-/** Keep what the file has; how many answers. Where it is none, an error, and nothing is kept. */
-export async function readProgress(file: File): Promise<number> {
-  const answers = Object.entries((await progressIn(file)).answers);
-  for (const [name, entry] of answers) saveItem(name, entry);
-  return answers.length;
+/**
+ * Store the answers of a file to questions that the book asks.
+ *
+ * @param catalogue Address of `book.json`.
+ * @returns Their number.
+ * @throws {Error} Where the file is none, or the catalogue does not arrive; nothing is stored then.
+ */
+export async function readProgress(file: File, catalogue: string): Promise<number> {
+  const { answers } = await progressIn(file);
+  const reply = await fetch(catalogue);
+  if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
+  const { quizzes, predictions } = await reply.json();
+  const names = [["quiz", quizzes] as const, ["predict", predictions] as const].flatMap(
+    ([kind, questions]) => questions.map(({ id }: { id: string }) => `${kind}:${id}`),
+  );
+  const known = names.filter((name) => Object.hasOwn(answers, name));
+  for (const name of known) saveItem(name, answers[name]);
+  return known.length;
 }
 
 function checked(content: any): Progress {
