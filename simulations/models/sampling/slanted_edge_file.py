@@ -10,18 +10,21 @@ from simulations.models.color.tone_curve import without_tone_curve
 from simulations.models.sampling.slanted_edge_line import SMALLEST, TOO_SMALL, UnfitEdgeError
 
 MOST_CLIPPED = 0.01
-"""Share of the pixels that may have the smallest or the largest code."""
+"""Share of the pixels that may have the code 0 or 255."""
+PLATEAU, LEAST_NOISE = 0.7, 0.3
+"""Share of the pixels of a side that have its last code where it is clipped, and least noise in
+codes by that of the other side: with less, so many may have it by chance."""
 
-TOO_LIGHT = "The light side is overexposed: expose less, so that white stays below code 255."
-TOO_DARK = "The dark side is at code 0: expose more, or turn down the contrast of the camera."
+TOO_LIGHT = "The light side is overexposed: expose less, so that white stays below code {}."
+TOO_DARK = "The dark side is at code {}: expose more, or turn down the contrast of the camera."
 
 
 def light_of_codes(codes: NDArray[np.uint8], *, srgb: bool, tone: float = 0.0) -> Floats:
     """Luminance (H, W) of codes (H, W, 3), with 1 for white.
 
     Codes are decoded as ``srgb`` after a tone curve of this strength, or taken as proportional to
-    the light. Raises `UnfitEdgeError`
-    if there are too few, or too many are clipped: of those the light is unknown.
+    the light. Raises `UnfitEdgeError` if there are too few, or too many are clipped, at the ends of
+    the scale or at others: of those the light is unknown.
     """
     if codes.ndim != 3 or codes.shape[2] != 3 or codes.dtype != np.uint8:
         raise ValueError(f"codes {codes.shape} {codes.dtype}; legal: (H, W, 3) uint8")
@@ -29,10 +32,42 @@ def light_of_codes(codes: NDArray[np.uint8], *, srgb: bool, tone: float = 0.0) -
         raise UnfitEdgeError(TOO_SMALL)
     largest = np.maximum(np.maximum(codes[..., 0], codes[..., 1]), codes[..., 2])
     if np.mean(largest == 255) > MOST_CLIPPED:
-        raise UnfitEdgeError(TOO_LIGHT)
+        raise UnfitEdgeError(TOO_LIGHT.format(255))
     if np.mean(largest == 0) > MOST_CLIPPED:
-        raise UnfitEdgeError(TOO_DARK)
-    return luminance(light_of_code(srgb=srgb, tone=tone).astype(np.float32)[codes])
+        raise UnfitEdgeError(TOO_DARK.format(0))
+    light = light_of_code(srgb=srgb, tone=tone)
+    for channel in range(3):
+        _require_no_plateau(np.bincount(codes[..., channel].ravel(), minlength=256), light)
+    return luminance(light.astype(np.float32)[codes])
+
+
+def _require_no_plateau(counts: NDArray[np.intp], light: Floats) -> None:
+    """Raises `UnfitEdgeError` if one side of an edge is clipped, by the counts of the codes (256,):
+    most of its pixels share its last code, though the other side has noise. Noise in the light is
+    no less than in the dark, and in the dark no less than in proportion to √light."""
+    low, high = (int(np.searchsorted(np.cumsum(counts), s * counts.sum())) for s in (0.05, 0.95))
+    split = int(np.searchsorted(light, 0.5 * (light[low] + light[high])))
+    (dark, by_dark), (bright, by_bright) = (
+        _middle_and_noise(counts[::step], light[::step], count)
+        for step, count in ((1, split), (-1, len(light) - split))
+    )
+    used, per_code = np.flatnonzero(counts), np.gradient(light)
+    last, first = int(used[-1]), int(used[0])
+    if counts[last] > PLATEAU * counts[split:].sum() and by_dark > LEAST_NOISE * per_code[last]:
+        raise UnfitEdgeError(TOO_LIGHT.format(last))
+    fainter = by_bright * np.sqrt(max(dark, 0.0) / max(bright, 1e-9))
+    if counts[first] > PLATEAU * counts[:split].sum() and fainter > LEAST_NOISE * per_code[first]:
+        raise UnfitEdgeError(TOO_DARK.format(first))
+
+
+def _middle_and_noise(counts: NDArray[np.intp], light: Floats, side: int) -> tuple[float, float]:
+    """Median light of the first ``side`` codes, and the standard deviation of those before it, away
+    from the edge."""
+    total = np.cumsum(counts[:side])
+    middle = int(np.searchsorted(total, 0.5 * total[-1])) if side else 0
+    beyond = counts[: middle + 1]
+    square = np.sum(beyond * (light[: middle + 1] - light[middle]) ** 2) / max(beyond.sum(), 1)
+    return float(light[middle]), float(np.sqrt(square))
 
 
 def light_of_code(*, srgb: bool, tone: float = 0.0) -> Floats:

@@ -228,10 +228,33 @@ def test_srgb_is_decoded_before_the_edge_is_measured() -> None:
     assert wrong < 0.97 * right
 
 
-def test_codes_at_either_end_of_the_range_are_refused() -> None:
-    for light, message in ((2.0 * LIGHT, TOO_LIGHT), (LIGHT - 0.06, TOO_DARK)):
-        with pytest.raises(UnfitEdgeError, match=message[:20]):
-            light_of_codes(file_of(light), srgb=True)
+@pytest.mark.parametrize(
+    ("codes", "message"),
+    [
+        (file_of(2.0 * LIGHT), TOO_LIGHT.format(255)),
+        (file_of(LIGHT - 0.06), TOO_DARK.format(0)),
+        (np.minimum(file_of(LIGHT), 232), TOO_LIGHT.format(232)),
+        (np.minimum(file_of(LIGHT), 200), TOO_LIGHT.format(200)),
+        (np.maximum(file_of(LIGHT), 70), TOO_DARK.format(70)),
+        (np.maximum(file_of(LIGHT), 120), TOO_DARK.format(120)),
+        (np.minimum(file_of(LIGHT), np.array([255, 255, 215], np.uint8)), TOO_LIGHT.format(215)),
+    ],
+    ids=["white", "black", "grey 232", "grey 200", "grey 70", "grey 120", "blue alone"],
+)
+def test_clipped_codes_are_refused_wherever_the_scale_ends(
+    codes: np.ndarray[tuple[int, ...], np.dtype[np.uint8]], message: str
+) -> None:
+    with pytest.raises(UnfitEdgeError) as refusal:
+        light_of_codes(codes, srgb=True)
+    assert str(refusal.value) == message
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.0005, 0.001, 0.002, 0.005, 0.02])
+def test_even_sides_are_not_taken_for_clipped(noise: float) -> None:
+    for seed in range(8):
+        bright = 0.5 + 0.05 * seed
+        light = 0.05 + bright * gaussian_edge(60, 40, 5.0) + grain((60, 40), noise, seed)
+        assert light_of_codes(file_of(light), srgb=True).shape == (60, 40)
 
 
 def test_picture_of_a_gaussian_edge_is_its_integral_over_pixels() -> None:
