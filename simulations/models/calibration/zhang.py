@@ -10,6 +10,8 @@ the result a starting value. Z. Zhang, *A flexible new technique for camera cali
 §2.3, §3.1 and §3.3.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from simulations.models.arrays import Floats
@@ -24,10 +26,21 @@ LEAST_PHOTOGRAPHS = 3
 class UndeterminedError(ValueError):
     """The photographs do not determine the camera; says what to do about it."""
 
+    def __init__(self, words: str, photograph: int | None = None):
+        """``photograph`` is the index of the one that is the cause."""
+        super().__init__(words if photograph is None else f"Photograph {photograph + 1}: {words}")
+        self.words, self.photograph = words, photograph
+
+    def naming(self, names: Sequence[str]) -> str:
+        """The message with the name of the photograph."""
+        if self.photograph is None:
+            return self.words
+        return f"{names[self.photograph]}: {self.words}"
+
 
 TILT = "The photographs do not tell the focal length: take some with the board tilted by 30° to 45°"
-FLAT = "Photograph {}: its corners lie on one line; leave it out"
-BEYOND = "Photograph {}: this lens sees fewer than four of its corners; leave it out"
+FLAT = "its corners lie on one line; leave it out"
+BEYOND = "this lens sees fewer than four of its corners; leave it out"
 FEW = "At least {} photographs are needed, from different sides"
 
 
@@ -54,10 +67,10 @@ def homographies(views: Views) -> Floats:
     for index in range(len(views)):
         board, pixels = views.of(index)
         if len(board) < 4:
-            raise UndeterminedError(BEYOND.format(index + 1))
+            raise UndeterminedError(BEYOND, index)
         H, valid = estimate_homography(board, pixels)
         if not valid:
-            raise UndeterminedError(FLAT.format(index + 1))
+            raise UndeterminedError(FLAT, index)
         found.append(H)
     return np.array(found)
 

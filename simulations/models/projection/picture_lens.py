@@ -88,7 +88,7 @@ def edge_points(codes: NDArray[np.uint8], ends: Floats) -> Floats:
     The edge may bow, as a parabola does.
     """
     length = float(np.hypot(*(ends[1] - ends[0])))
-    if length < SHORTEST:
+    if length < SHORTEST or min(codes.shape[:2]) < 2:
         return np.zeros((0, 2))
     along = (ends[1] - ends[0]) / length
     normal = np.array([-along[1], along[0]])

@@ -31,7 +31,7 @@ def contact_sheet(given: Boards, each: Floats, used: list[bool], without: int, s
         parts.append(path([[*outline, outline[0]]], "world" if kept else "muted dashed"))
         if index + 1 == without:
             parts.append(line((x - 12.0, y + 9.0), (x + 12.0, y - 9.0), "error"))
-        words = format_number(float(error), 3 if error < 1 else 1)
+        words = format_number(float(error), 3 if error < 1 else 1) if np.isfinite(error) else "–"
         parts.append(label((x, y + 28.0), words, "small" if kept else "muted small", "middle"))
     return "".join(parts)
 

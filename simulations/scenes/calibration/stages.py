@@ -1,5 +1,6 @@
 """The stages: corners → all models of the lens → the chosen one → the photograph that is shown."""
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -116,7 +117,7 @@ def _every(used: Boards, shape: str) -> Trials:
     try:
         flat = compare(views, used.size)
     except UndeterminedError as problem:
-        return Trials(views, problem=str(problem))
+        return Trials(views, problem=problem.naming(used.names))
     if shape == "flat":
         return Trials(views, flat)
     tried = shapes(views, flat)
@@ -126,7 +127,7 @@ def _every(used: Boards, shape: str) -> Trials:
     return Trials(views, found, tried=tried)
 
 
-def _trials(every: Trials, photographs: int, quick: bool) -> Trials:
+def _trials(used: Boards, every: Trials, photographs: int, quick: bool) -> Trials:
     """The models from the first photographs; the search starts from the result for all."""
     views = every.views.take(slice(photographs))
     if every.problem or len(views) == len(every.views):
@@ -135,7 +136,7 @@ def _trials(every: Trials, photographs: int, quick: bool) -> Trials:
         found = compare_first(every.found, views, quick)
         return Trials(views, found, tried=every.tried)
     except UndeterminedError as problem:
-        return Trials(views, problem=str(problem))
+        return Trials(views, problem=problem.naming(used.names))
 
 
 def _result(used: Boards, every: Trials, trials: Trials, lens: str) -> Result | None:
@@ -180,29 +181,35 @@ def _found(given: Boards, shown: Shown, quick: bool) -> Views | None:
 
 
 def _errors(found: Views | None, result: Result | None) -> Errors | None:
-    """Errors of the found corners, with the pose that fits them best."""
-    if result is None or found is None:
+    """Errors of the found corners, with the pose that fits them best; none if there is no pose."""
+    fit = None if result is None or found is None else _posed(found, result.trial)
+    if found is None or fit is None:
         return None
-    fit = _posed(found, result.trial)
     off = residuals(found, fit.camera, fit.poses)
     return Errors(found.pixels[found.found], off[found.found])
 
 
-def _posed(views: Views, trial: Trial) -> Adjusted:
-    """These photographs by the camera of a trial, each with the pose that fits it best."""
+def _posed(view: Views, trial: Trial) -> Adjusted | None:
+    """One photograph by the camera of a trial, with the pose that fits it best; none if its corners
+    determine no pose."""
     camera = trial.fit.camera
-    try:
-        start = poses_seen(views, camera)
-    except UndeterminedError:  # a photograph is beyond what this lens can see
-        start = poses_of(homographies(views), camera.matrix)
-    return refine(views, camera, replace(start, shape=trial.fit.poses.shape), (), draft=True)
+    with suppress(UndeterminedError):
+        poses = poses_of(homographies(view), camera.matrix)
+        with suppress(UndeterminedError):  # corners may be beyond what this lens can see
+            poses = poses_seen(view, camera)
+        poses = replace(poses, shape=trial.fit.poses.shape)
+        return refine(view, camera, poses, (), draft=True)
+    return None
 
 
 def _each(given: Boards, result: Result | None, detail: str) -> Floats | None:
-    """(P,) the error of every photograph, used or not, with the pose that fits it best."""
+    """(P,) the error of every photograph, used or not, with the pose that fits it best; NaN if
+    there is none."""
     if result is None or detail != SHEET:
         return None
-    return rms_of_each(given.views, _posed(given.views, result.trial))
+    views = [given.views.take([index]) for index in range(len(given.views))]
+    fits = [(view, _posed(view, result.trial)) for view in views]
+    return np.array([rms_of_each(view, fit)[0] if fit else np.nan for view, fit in fits])
 
 
 def _map(trials: Trials, result: Result | None) -> Errors | None:
@@ -233,7 +240,7 @@ STAGES = (
     Stage("boards", boards),
     Stage("used", _used, ("boards",)),
     Stage("every", _every, ("used",)),
-    Stage("trials", _trials, ("every",)),
+    Stage("trials", _trials, ("used", "every")),
     Stage("result", _result, ("used", "every", "trials")),
     Stage("looked", _shown, ("boards",)),
     Stage("found", _found, ("boards", "looked")),

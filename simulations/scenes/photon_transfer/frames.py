@@ -359,7 +359,7 @@ def choose(frames: Frames, photograph: Photograph | None, light: int) -> int:
         for pair, numbers in enumerate(frames.numbers):
             if photograph.number in numbers:
                 return pair
-    return round(light / BRIGHTEST_PERCENT * (len(frames.names) - 1))
+    return round(light / BRIGHTEST_PERCENT * (len(frames.names) - 1)) if frames.names else -1
 
 
 STAGES = (
