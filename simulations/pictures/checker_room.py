@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, centred
-from simulations.models.geometry.rotations import check_rotation
+from simulations.models.geometry.quaternions import check_rotation
 from simulations.models.require import as_whole, require_positive
 from simulations.pictures.patterns import band, blend, checker, stripes
 

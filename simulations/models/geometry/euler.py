@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.geometry import quaternions
-from simulations.models.geometry.rotations import check_rotation, from_axis_angle
+from simulations.models.geometry.rotations import from_axis_angle
 
 LOCK_RAD = 1e-7
 """Distance of the middle angle from the locked position below which it counts as locked: the outer
@@ -69,7 +69,7 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
     proper = i == k
     k = 3 - i - j if proper else k
     sign = (i - j) * (j - k) * (k - i) // 2
-    q = quaternions.from_matrix(check_rotation(R))
+    q = quaternions.from_matrix(R)
     w, qi, qj, qk = q[..., 0], q[..., 1 + i], q[..., 1 + j], q[..., 1 + k] * sign
     a, b, c, d = (w, qi, qj, qk) if proper else (w - qj, qi + qk, qj + w, qk - qi)
     middle = 2.0 * np.arctan2(np.hypot(c, d), np.hypot(a, b))

@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.models.arrays import Floats, as_matrices, as_vectors
 from simulations.models.require import require
 
+ORTHOGONAL = 1e-6
+"""Largest entry of RᵀR − I that counts as rounding."""
 CYCLES = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
 
 
@@ -137,14 +139,29 @@ def to_matrix(quaternion: ArrayLike) -> Floats:
     return cross_polynomial(q[..., 1:], 2.0 * q[..., 0], 2.0)
 
 
+def check_rotation(R: ArrayLike) -> Floats:
+    """R as an array, if it is orthogonal to `ORTHOGONAL` and not a reflection; else `ValueError`.
+
+    Use `rotations.nearest_rotation` first for matrices with larger errors.
+    """
+    matrix = as_matrices("R", R, 3, 3)
+    with np.errstate(over="ignore", invalid="ignore"):
+        drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max(initial=0.0)
+    if not drift <= ORTHOGONAL:
+        raise ValueError(f"R: RᵀR differs from I by {drift:.2g}; legal: at most {ORTHOGONAL}")
+    if not (np.linalg.det(matrix) > 0.0).all():
+        raise ValueError("R: determinant −1, a reflection; legal: +1")
+    return matrix
+
+
 def from_matrix(R: ArrayLike) -> Floats:
     """Rotation matrices (..., 3, 3) to quaternions (..., 4) with w ≥ 0.
 
     The entries of R give all products of two components, 4 q qᵀ. Its row with the largest
-    diagonal entry is a multiple of q by at least 1, so nothing cancels (Shepperd 1978). The
-    matrix must be a rotation: see `simulations.models.geometry.rotations.check_rotation`.
+    diagonal entry is a multiple of q by at least 1, so nothing cancels (Shepperd 1978). Raises
+    `ValueError` if R is not a rotation.
     """
-    m = as_matrices("R", R, 3, 3)
+    m = check_rotation(R)
     x, y, z = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
     wx, wy, wz = (m[..., j, i] - m[..., i, j] for i, j in ((1, 2), (2, 0), (0, 1)))
     xy, xz, yz = (m[..., j, i] + m[..., i, j] for i, j in ((0, 1), (0, 2), (1, 2)))

@@ -7,13 +7,10 @@ the viewer. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, as_array, as_matrices, as_vectors
+from simulations.models.arrays import Floats, as_array, as_vectors
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternions import cross_polynomial
 from simulations.models.require import require
-
-ORTHOGONAL = 1e-6
-"""Largest entry of RᵀR − I that counts as rounding."""
 
 LARGEST_SHARE = 1e6
 """Largest share of an extrapolation; beyond it only rounding is left."""
@@ -59,22 +56,7 @@ def logarithm(R: ArrayLike) -> Floats:
     exactly π both signs of the axis are right; the one whose first non-zero entry is positive is
     returned. Raises `ValueError` if R is not a rotation.
     """
-    return quaternions.to_rotation_vector(quaternions.from_matrix(check_rotation(R)))
-
-
-def check_rotation(R: ArrayLike) -> Floats:
-    """R as an array, if it is orthogonal to `ORTHOGONAL` and not a reflection; else `ValueError`.
-
-    Use `nearest_rotation` first for matrices with larger errors.
-    """
-    matrix = as_matrices("R", R, 3, 3)
-    with np.errstate(over="ignore", invalid="ignore"):
-        drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max(initial=0.0)
-    if not drift <= ORTHOGONAL:
-        raise ValueError(f"R: RᵀR differs from I by {drift:.2g}; legal: at most {ORTHOGONAL}")
-    if not (np.linalg.det(matrix) > 0.0).all():
-        raise ValueError("R: determinant −1, a reflection; legal: +1")
-    return matrix
+    return quaternions.to_rotation_vector(quaternions.from_matrix(R))
 
 
 def nearest_rotation(matrix: ArrayLike) -> Floats:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_array, as_vectors
-from simulations.models.geometry.rotations import check_rotation
+from simulations.models.geometry.quaternions import check_rotation
 from simulations.models.require import require, require_positive
 
 

@@ -60,6 +60,19 @@ TAIT_BRYAN = ["xyz", "xzy", "yxz", "yzx", "zxy", "zyx"]
 SEQUENCES = [letters for s in PROPER + TAIT_BRYAN for letters in (s, s.upper())]
 
 
+@pytest.mark.parametrize(
+    "read",
+    [rotations.logarithm, quaternions.from_matrix, lambda R: euler.from_matrix(R, "ZYX")],
+    ids=["logarithm", "quaternion", "Euler angles"],
+)
+def test_reflection_is_refused_by_everything_that_reads_a_matrix(
+    read: Callable[[Floats], object],
+) -> None:
+    mirror = [[0.15514354, -0.98789194, 0.0], [-0.98789194, -0.15514354, 0.0], [0.0, 0.0, 1.0]]
+    with pytest.raises(ValueError, match="reflection"):
+        read(np.array(mirror))
+
+
 @pytest.mark.parametrize("sequence", SEQUENCES)
 def test_euler_angles_agree_with_scipy_in_both_directions(sequence: str) -> None:
     rotations = Rotation.random(24, rng=np.random.default_rng(3))
