@@ -5,7 +5,7 @@ This module and `simulations.notebook.controls` alone need ipywidgets.
 
 import io
 import wave
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -28,20 +28,27 @@ PANELS = {"grid_template_columns": "repeat(auto-fit, minmax(min(340px, 100%), 1f
 TILES = {"grid_template_columns": "repeat(auto-fill, minmax(26em, 1fr))", "grid_gap": "0 1.5em"}
 
 
-def figure(scene_id: str, /, *, tier: str = "", **values: object) -> "Figure":
-    """The scene with these values in place of its own, in the accuracy ``tier`` or its usual one.
+def figure(
+    scene_id: str, /, *, tier: str = "", panels: Sequence[str] = (), **values: object
+) -> "Figure":
+    """The scene with these values in place of its own, in the accuracy ``tier`` or its usual one,
+    and of its panels those named, or all.
 
     Raises `UnknownIdError`, and `ControlError` for values that its controls do not have.
     """
     scene = load_scene(scene_id)
-    return Figure(scene, scene.check(values), tier or scene.accuracy.default)
+    return Figure(scene, scene.check(values), tier or scene.accuracy.default, panels)
 
 
 class Figure:
     """A scene, its widgets and its present frame. A notebook shows it as the value of a cell."""
 
-    def __init__(self, scene: Scene[Any], settings: object, tier: str) -> None:
+    def __init__(
+        self, scene: Scene[Any], settings: object, tier: str, panels: Sequence[str] = ()
+    ) -> None:
         self.scene = scene
+        self.panels = panels
+        """Names of those that are shown; none where all are."""
         self.values = values_of(settings)
         self.tier = tier
         self.widgets = self._make_widgets()
@@ -61,9 +68,10 @@ class Figure:
 
     @property
     def pictures(self) -> list[str]:
-        """The panels as SVG, the one that leads first."""
-        panels = sorted(self.frame.panels, key=lambda panel: not panel.lead)
-        return [frame_svg([panel], self._style) for panel in panels]
+        """The panels as SVG, as they are named, else the one that leads first."""
+        panels = {p.name: p for p in sorted(self.frame.panels, key=lambda panel: not panel.lead)}
+        shown = [panels[name] for name in self.panels or panels]
+        return [frame_svg([panel], self._style) for panel in shown]
 
     def _make_widgets(self) -> dict[str, Widget]:
         made: dict[str, Widget] = {}
@@ -105,12 +113,13 @@ class Figure:
     def _show(self) -> None:
         settings = self.scene.clamp(self.values)
         self.frame: Frame = self.scene.render(settings, self.tier, self._cache)
-        if len(self._pictures.children) != len(self.frame.panels):
+        pictures = self.pictures
+        if len(self._pictures.children) != len(pictures):
             layout = {"width": "100%", "max_width": "640px"}
             self._pictures.children = [
-                widgets.Image(format="svg+xml", layout=layout) for _ in self.frame.panels
+                widgets.Image(format="svg+xml", layout=layout) for _ in pictures
             ]
-        for image, svg in zip(self._pictures.children, self.pictures, strict=True):
+        for image, svg in zip(self._pictures.children, pictures, strict=True):
             image.value = svg.encode()
         if self.frame.sound:
             self.player.value = _wav(self.frame.sound)

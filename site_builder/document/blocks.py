@@ -75,6 +75,13 @@ class Simulation:
     """Names of the controls and readouts that are not folded; none where the first are shown."""
     yours: bool = False
     """Whether the reader's photographs go into the figure, an instrument."""
+    panels: tuple[str, ...] = ()
+    """Names of the panels that it shows, in this order; none where it shows all."""
+    leader: str = ""
+    """Element id of the figure whose settings it shares, as a part of that one; nothing where the
+    settings are its own."""
+    small: bool = False
+    """Whether it is as wide as the text, without controls."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

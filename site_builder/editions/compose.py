@@ -59,7 +59,7 @@ def render_rows(
     rows: dict[str, dict[str, Row]] = {chapter.id: {} for chapter in book.chapters}
     files: dict[str, bytes] = {}
     for chapter in book.chapters:
-        for figure in chapter.simulations:
+        for figure in (each for each in chapter.simulations if not each.leader):
             initial_frame = initial_frames[figure.path, figure.line]
             row = _row(f"{chapter.id}--{figure.id}", initial_frame, files, book.words)
             rows[chapter.id] |= {figure.id: row} if row else {}
@@ -76,7 +76,7 @@ def _row(
     values = shown_values(control, initial_frame.values[control.name])
     settings = [scene.check({**figure.values, control.name: value}) for value in values]
     frames = [static_frame(scene, one, figure.tier) for one in settings]
-    shown = _most_changed(frames)
+    shown = _most_changed(frames, [panel.name for panel in initial_frame.frame.panels])
     if shown is None:
         return None
     multiples: list[Multiple] = []
@@ -119,9 +119,9 @@ def _near(options: list[str], now: str) -> list[Value]:
     return list(options[start : start + MOST])
 
 
-def _most_changed(frames: Sequence[StaticFrame]) -> str | None:
-    """Name of the panel whose pictures differ most or, where none has any, whose drawings do; None
-    where nothing changes."""
+def _most_changed(frames: Sequence[StaticFrame], shown: Sequence[str]) -> str | None:
+    """Name of the panel, of those ``shown``, whose pictures differ most or, where none has any,
+    whose drawings do; None where nothing changes."""
 
     def change(name: str) -> tuple[float, int]:
         panels = [panel for each in frames for panel in each.frame.panels if panel.name == name]
@@ -132,7 +132,7 @@ def _most_changed(frames: Sequence[StaticFrame]) -> str | None:
         difference = sum(float(np.abs(a.astype(float) - b).mean()) for a, b in pairs)
         return difference, len({panel.overlay for panel in panels}) - 1
 
-    changes = {panel.name: change(panel.name) for panel in frames[0].frame.panels}
+    changes = {name: change(name) for name in shown}
     name = max(changes, key=changes.__getitem__, default=None)
     return name if name and any(changes[name]) else None
 

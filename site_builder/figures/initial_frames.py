@@ -2,8 +2,8 @@
 computed at build time by the code that runs in the page."""
 
 import json
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, Value
 from simulations.engine.frame import Frame, Panel, to_json
 from simulations.engine.settings import values_of
-from site_builder.diagnostics.diagnostic import Diagnostics, cause
+from site_builder.diagnostics.diagnostic import Diagnostics, cause, unknown
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import Book
 from site_builder.figures.frames import StaticFrame, small_frames, static_frame
@@ -42,22 +42,30 @@ class PrerenderedFrames:
     would send with them."""
 
 
-def prerender(page: str, figure: Simulation) -> PrerenderedFrames | None:
-    """The frames of a figure; None where it has no control that can be shown so.
+def prerender(
+    page: str, figure: Simulation, parts: Sequence[Simulation] = ()
+) -> PrerenderedFrames | None:
+    """The frames of a figure, with the panels of its ``parts``; None where it has no control that
+    can be shown so, or is itself a part.
 
     Raises whatever the scene does, and `KilledError`."""
     control = main_control(figure)
-    if control is None:
+    if control is None or figure.leader:
         return None
+    together = (figure, *parts)
+    shown = {name for each in together for name in each.panels}
+    if not all(each.panels for each in together):
+        shown = set()  # all of them
     start = values_of(figure.scene.check(figure.values))
     values = shown_values(control, start[control.name])
     settings = tuple({**start, control.name: value} for value in values)
-    frames = [
-        {"value": value, "pictures": dict(small.pictures), **json.loads(to_json(small.frame))}
-        for value, small in zip(
-            values, small_frames(figure.scene, settings, figure.tier), strict=True
-        )
-    ]
+    frames = []
+    for value, small in zip(values, small_frames(figure.scene, settings, figure.tier), strict=True):
+        panels = tuple(p for p in small.frame.panels if p.name in shown or not shown)
+        frame = json.loads(to_json(replace(small.frame, panels=panels)))
+        names = [panel.name for panel in panels]
+        pictures = {name: url for name, url in small.pictures.items() if name in names}
+        frames.append({"value": value, "pictures": pictures, **frame})
     data = {"control": control.name, "frames": frames}
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
     return PrerenderedFrames(f"{page}--{figure.id}.json", text.encode())
@@ -93,7 +101,7 @@ class InitialFrame:
     values: Mapping[str, Value]
     """Every control's starting value."""
     frame: Frame
-    """Without its pixels."""
+    """Without its pixels; its panels are those that the figure shows, in their order."""
     pictures: Mapping[str, PanelFile]
     """By panel, for panels that have pixels."""
     prerendered: PrerenderedFrames | None = None
@@ -127,7 +135,10 @@ def render_initial_frames(
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
         places.insert(0, ("cover", book.hero))
-    drawn = side_by_side(partial(_drawn, page, figure, more=prerendered) for page, figure in places)
+    drawn = side_by_side(
+        partial(_drawn, page, figure, parts_of(figure, places) if prerendered else None)
+        for page, figure in places
+    )
     for (page, figure), done in zip(places, drawn, strict=True):
         try:
             first, others = done.result()
@@ -139,9 +150,17 @@ def render_initial_frames(
             message = f"{figure.scene.id}: a frame without panels; legal: at least one"
             problems.add(figure.path, figure.line, message)
             continue
+        panels = {panel.name: panel for panel in first.frame.panels}
+        for name in figure.panels:
+            if name not in panels:
+                message = unknown(f"panel of {figure.scene.id}", name, panels)
+                problems.add(figure.path, figure.line, message)
+        shown = [panels[name] for name in figure.panels or panels if name in panels]
         pictures = {}
         for panel, picture in first.pictures.items():
-            name = f"{page}--{figure.id}--{panel}.webp"
+            if panels[panel] not in shown:
+                continue
+            name = f"{page}--{figure.leader or figure.id}--{panel}.webp"
             if "/" in panel or len(name.encode()) > LONGEST_NAME:
                 message = f"panel {panel!r} names a file; legal: without '/', and shorter"
                 problems.add(figure.path, figure.line, f"{figure.scene.id}: {message}")
@@ -150,13 +169,18 @@ def render_initial_frames(
             files[name] = picture.webp
         values = values_of(figure.scene.check(figure.values))
         initial_frames[figure.path, figure.line] = InitialFrame(
-            figure, values, first.frame, pictures, others
+            figure, values, replace(first.frame, panels=tuple(shown)), pictures, others
         )
     return initial_frames, files
 
 
+def parts_of(figure: Simulation, places: Sequence[tuple[str, Simulation]]) -> list[Simulation]:
+    """The parts of a figure, of all figures of a book with their pages."""
+    return [part for _, part in places if (part.path, part.leader) == (figure.path, figure.id)]
+
+
 def _drawn(
-    page: str, figure: Simulation, *, more: bool
+    page: str, figure: Simulation, parts: Sequence[Simulation] | None
 ) -> tuple[StaticFrame, PrerenderedFrames | None]:
     first = static_frame(figure.scene, figure.scene.check(figure.values), figure.tier)
-    return first, prerender(page, figure) if more else None
+    return first, None if parts is None else prerender(page, figure, parts)

@@ -148,7 +148,9 @@ class _Numbering:
         )
         if call.name == "simulation":
             first, last = token.map or (0, 0)
-            self.context.figures.append(FigurePlace(name, call.argument, (first + 1, last + 1)))
+            lines = (first + 1, last + 1)
+            place = FigurePlace(name, call.argument, lines, call.text("with"))
+            self.context.figures.append(place)
 
     def equation(self, token: Token, *, inside: bool) -> None:
         """``inside`` of a question or caption it carries no number: it belongs to that."""

@@ -10,7 +10,8 @@ from markdown_it import MarkdownIt
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
 from site_builder.benchmarks.quoted_numbers import Readouts
-from site_builder.diagnostics.diagnostic import Diagnostics
+from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.document.blocks import Simulation
 from site_builder.document.places import (
     Citation,
     Heading,
@@ -41,6 +42,8 @@ class FigurePlace:
     """The author's spelling, known or not."""
     lines: tuple[int, int]
     """First and last, counted from 1."""
+    leader: str = ""
+    """The author's name for the figure whose settings it shares; nothing where they are its own."""
 
     def distance(self, line: int) -> int:
         """Lines between ``line`` and the figure; 0 inside it."""
@@ -94,6 +97,8 @@ class ParseContext:
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
     figures: list[FigurePlace] = field(default_factory=list)
     """All of the page, in order, found before its text is read, which may refer to them."""
+    simulations: dict[str, Simulation] = field(default_factory=dict)
+    """Those that were read, by element id."""
     placed: dict[int, Target] = field(default_factory=dict)
     """Numbered directives of the page, by the line that opens them."""
     introduced: set[str] = field(default_factory=set)
@@ -123,6 +128,23 @@ class ParseContext:
     ) -> None:
         """``error`` and ``spoils`` as `Diagnostics.add` has them."""
         self.problems.add(self.path, line, message, error, spoils)
+
+    def find_figure(self, name: str, line: int) -> FigurePlace | None:
+        """The figure that an author names, by its id or that without ``figure-``; None, and a
+        report, where the page has none of that name."""
+        places = {place.id.removeprefix("figure-"): place for place in self.figures}
+        found = places.get(name.removeprefix("figure-"))
+        if found:
+            self.warn_of_count(self.placed[found.lines[0]], line)
+        else:
+            self.problem(line, unknown("figure", name, places))
+        return found
+
+    def leading(self, place: FigurePlace) -> FigurePlace:
+        """The figure whose settings those of a figure are: most often itself."""
+        wanted = place.leader.removeprefix("figure-")
+        leaders = (each for each in self.figures if each.id.removeprefix("figure-") == wanted)
+        return next(leaders, place)
 
     def warn_of_count(self, target: Target, line: int) -> None:
         """Warn of a reference to an id that changes when the page gets another such figure."""

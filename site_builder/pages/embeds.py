@@ -1,7 +1,7 @@
 """The page of each figure alone, for frames in other pages.
 
 A figure has the page ``embed/<chapter>/<id of the figure>/``, as the same scene may stand in
-several chapters with other settings.
+several chapters with other settings. There a part leads itself, as no other figure is with it.
 """
 
 from collections.abc import Iterator, Sequence
@@ -32,7 +32,7 @@ def embeds(chapter: Chapter) -> Iterator[tuple[str, Block]]:
                 for part in (figure.caption, figure.about)
             )
             caption, about = words
-            content = replace(figure, caption=caption, about=about)
+            content = replace(figure, caption=caption, about=about, leader="", small=False)
             yield f"{embed_address(chapter, figure.id)}index.html", replace(block, content=content)
 
 

@@ -1,7 +1,7 @@
 """One page of the site or of an edition, from its template. No markup is made here."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -109,7 +109,7 @@ def render_page(
 
     def simulation_view(figure: Simulation) -> SimulationView:
         recorded = read_level_costs(site.root, figure.scene.id)
-        still = site.initial_frames[figure.path, figure.line]
+        still = replace(site.initial_frames[figure.path, figure.line], figure=figure)
         return view_simulation(still, assets, site.book.words, recorded)
 
     def block_html(block: Block) -> Markup:

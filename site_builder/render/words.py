@@ -170,7 +170,7 @@ class _SectionReader:
                 content = plain(block.content)
                 if block.target and content.channel != "question":
                     self.drafts[-1].add(content.channel, f"{block.target.name} ")
-                if isinstance(block.content, Simulation):
+                if isinstance(block.content, Simulation) and not block.content.leader:
                     self.drafts[-1].add("figure", f"{self.describe(block.content)} ")
                 for words in content.words:
                     self.add_words(words, content.channel)

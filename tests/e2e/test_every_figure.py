@@ -5,7 +5,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
 from support.frames import frame_of, texts_of
 from support.page_scripts import READ_HANDLE, TRY_CONTROLS
 from support.places import ROOT
@@ -47,7 +47,9 @@ def test_every_control_and_handle_of_a_figure_responds(
             assert changes(guest, figure, control, gesture), (control["name"], gesture.__name__)
     guest.restore(figure)
     for handle in load_scene(scene).handles:
-        assert_follows(guest, figure.locator(f'[data-handle="{handle.name}"]'), handle.name)
+        grip = f'[data-handle="{handle.name}"]'
+        shown = f"#figure-{scene} {grip}, [data-with=figure-{scene}] {grip}"
+        assert_follows(guest, guest.page.locator(shown).first, handle.name)
 
 
 def is_unresponsive(answer: Any) -> bool:
@@ -92,7 +94,8 @@ def changes(guest: Reader, figure: Locator, control: Any, gesture: Gesture) -> b
     """Whether a gesture on a control, tried a few times, changes what the figure shows."""
     guest.open_controls(figure)
     element = figure.locator(f'.controls [name="{control["name"]}"]')
-    before = guest.content(figure)
+    parts = guest.page.locator(f"[data-with={figure.evaluate('one => one.parentElement.id')}]")
+    before = [guest.content(each) for each in (figure, *parts.all())]
     for attempt in range(4):
         frames = guest.frames(figure)
         gesture(guest, element, control, attempt)
@@ -100,7 +103,7 @@ def changes(guest: Reader, figure: Locator, control: Any, gesture: Gesture) -> b
         if control.get("effect") in ("play", "set") or figure.evaluate(MAKES_A_FRAME, frames):
             guest.wait_frame(figure, frames)
         guest.settle(figure)
-        if guest.content(figure) != before:
+        if [guest.content(each) for each in (figure, *parts.all())] != before:
             return True
     return False
 
@@ -192,6 +195,12 @@ def test_figures_play_in_view_until_touched_and_in_steps_for_less_motion(
     figure.locator("input[name=speed]").focus()
     page.keyboard.press("ArrowRight")
     assert not figure.evaluate(PLAYS, "time")
+    figure = visitor.turn_to_figure(book, "phong")
+    start = figure.evaluate("f => JSON.parse(f.querySelector('script.schema').text).values")
+    assert figure.evaluate(PLAYS, "light_angle")
+    page.evaluate("scrollTo(0, 0)")
+    expect(figure.locator("[name=light_angle]")).to_have_value(f"{start['light_angle']:g}")
+    visitor.turn_to("lecture-plan/", live=False)
     figure = visitor.turn_to_figure(book, "phong")
     assert figure.evaluate(PLAYS, "light_angle")
     figure.dispatch_event("pointerdown")

@@ -86,7 +86,8 @@ OUTSIDE = """() => {
     const [first, second] = figure.querySelectorAll(".panel");
     const all = [...figure.querySelectorAll(".control")];
     const controls = all.filter((one) => one.checkVisibility());
-    if (!controls.length) outside.push(`${figure.dataset.simulation}: no control`);
+    const small = figure.matches(".small *");
+    if (!controls.length && !small) outside.push(`${figure.dataset.simulation}: no control`);
     for (const shown of [[first, second ?? first], [second ?? first, ...controls]]) {
       shown[0].scrollIntoView({ behavior: "instant" });
       for (const one of shown) {
@@ -104,7 +105,7 @@ TOO_SMALL = """() => {
   const controls = ":is(input[type=range], select, button, summary, .toggle label)";
   const touched = `.controls ${controls}, .panel-dots > button`;
   return [...document.querySelectorAll(touched)]
-    .filter((one) => one.getBoundingClientRect().height < 43.9)
+    .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 43.9)
     .map((one) => one.name ?? one.textContent);
 }"""
 MOVED = """() => {

@@ -291,7 +291,8 @@ def test_python_can_be_read_without_the_editor(workshops: tuple[Workshop, Worksh
     assert not shop.figure.locator(".workshop .run").is_visible()
 
 
-FIGURES = """() => [...document.querySelectorAll('simulation-figure')].map((figure) => ({
+LEADERS = "simulation-figure:not([data-with])"
+FIGURES = """() => [...document.querySelectorAll('LEADERS')].map((figure) => ({
   id: figure.closest('figure').id,
   scene: figure.dataset.simulation,
   schema: JSON.parse(figure.querySelector('script.schema').textContent),
@@ -300,7 +301,7 @@ FIGURES = """() => [...document.querySelectorAll('simulation-figure')].map((figu
     box.querySelector('output').textContent,
     box.querySelector('.unit').textContent,
   ]),
-}))"""
+}))""".replace("LEADERS", LEADERS)
 RUN_ALL = """
 import runpy, sys
 sys.path.insert(0, sys.argv[1])

@@ -103,11 +103,17 @@ def test_exception_in_a_scene_is_reported_and_the_retry_keeps_its_values(
     slider.press("ArrowRight")
     kept = slider.input_value()
     figure.locator(".retry").wait_for()
-    assert "ZeroDivisionError: the scene divides" in figure.locator(".figure-message").inner_text()
+    part = visitor.page.locator(f"simulation-figure[data-with=figure-{SCENE}]")
+    for shown in (figure, part):
+        assert shown.get_attribute("data-state") == "failed"
+        message = shown.locator(".figure-message").inner_text()
+        assert "ZeroDivisionError: the scene divides" in message
     with visitor.next_frame(figure):
-        figure.locator(".retry").click()
+        part.locator(".retry").click()
     assert slider.input_value() == kept
-    assert not figure.locator(".figure-status").is_visible()
+    for shown in (figure, part):
+        assert shown.get_attribute("data-state") == "live"
+        assert not shown.locator(".figure-status").is_visible()
 
 
 def test_call_refused_by_python_is_reported_and_the_next_one_succeeds(visitor: Reader) -> None:

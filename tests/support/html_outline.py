@@ -111,7 +111,7 @@ ATTRIBUTES = (
     "id", "name", "type", "value", "min", "max", "step", "checked", "selected", "alt", "width",
     "height", "colspan", "lang", "start", "open", "data-quiz", "data-predict",
     "data-kind", "data-answers", "data-simulation", "data-figure", "data-values", "data-state",
-    "data-frames", "data-handle",
+    "data-frames", "data-handle", "data-with",
 )  # fmt: skip
 ROLE = re.compile(r"\brole-(\S+)")
 

@@ -26,6 +26,7 @@ from simulations.scenes.lens_distortion.drawing import (
     CENTRE,
     INNER,
     OUTER,
+    PLOT,
     SAMPLE,
     UNITS_PER_RADIUS,
     VIEW_HEIGHT,
@@ -168,6 +169,14 @@ def crossing_at(settings: Settings, _outputs: Outputs) -> Point | None:
     return image_of(SAMPLE, lens) if fold_radius(lens) > math.hypot(*SAMPLE) else None
 
 
+def radius_at(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The same crossing on the curve of the lens."""
+    lens, ideal = lens_of(settings), math.hypot(*SAMPLE)
+    return (
+        PLOT.at(ideal, float(evaluate(lens.radial, ideal))) if fold_radius(lens) > ideal else None
+    )
+
+
 SCENE = Scene(
     "lens-distortion",
     "Lens Distortion Simulator",
@@ -179,6 +188,9 @@ SCENE = Scene(
         marked("outer", "Outer point", OUTER, "k2"),
         Handle(
             "crossing", "grid", "Image of a crossing", drives=("k1",), at=crossing_at, role="image"
+        ),
+        Handle(
+            "radius", "profile", "Radius in the image", drives=("k1",), at=radius_at, role="image"
         ),
     ),
     instrument=Instrument(photograph=PHOTOGRAPH_PX),

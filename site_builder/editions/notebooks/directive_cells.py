@@ -67,6 +67,8 @@ def call(figure: Simulation) -> str:
     values: Mapping[str, object] = figure.values
     if figure.tier != figure.scene.accuracy.default:
         values = {"tier": figure.tier, **values}
+    if figure.panels:
+        values = {"panels": list(figure.panels), **values}
     given = [json.dumps(figure.scene.id), *(f"{k}={_python_literal(v)}" for k, v in values.items())]
     line = f"figure({', '.join(given)})"
     if len(line) <= LONGEST:
@@ -75,7 +77,8 @@ def call(figure: Simulation) -> str:
 
 
 def _python_literal(value: object) -> str:
-    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else repr(value)
+    is_json = isinstance(value, str | list)
+    return json.dumps(value, ensure_ascii=False) if is_json else repr(value)
 
 
 def illustration(drawn: DrawnIllustration, block: Block, page: ChapterPage) -> Iterator[Part]:

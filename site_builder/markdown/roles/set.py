@@ -38,10 +38,11 @@ def _attributes(given: str, line: int, context: ParseContext) -> Mapping[str, st
         return {}
     options = {control: OptionValue(text, line) for control, text in settings.items()}
     values = read_settings(scene, options, context)
-    query = urlencode({f"{figure.id}.{control}": _text(value) for control, value in values.items()})
+    leader = context.leading(figure).id
+    query = urlencode({f"{leader}.{control}": _text(value) for control, value in values.items()})
     return {
         "class": "set",
-        "href": f"?{query}#{figure.id}",
+        "href": f"?{query}#{leader}",
         "data-figure": figure.id,
         "data-values": json.dumps(values, ensure_ascii=False),
     }
@@ -60,12 +61,7 @@ def _find_figure(name: str, line: int, context: ParseContext) -> FigurePlace | N
         return None
     if not name:
         return min(context.figures, key=lambda place: place.distance(line))
-    places = {place.id.removeprefix("figure-"): place for place in context.figures}
-    if name not in places:
-        context.problem(line, unknown("figure", name, places))
-        return None
-    context.warn_of_count(context.placed[places[name].lines[0]], line)
-    return places[name]
+    return context.find_figure(name, line)
 
 
 def _load(figure: FigurePlace, context: ParseContext) -> Scene[Any] | None:

@@ -12,7 +12,15 @@ from markupsafe import Markup
 
 from simulations.engine.controls import Points, describe
 from simulations.engine.scene import Scene
-from site_builder.document.blocks import OTHERWISE, Block, Option, Prediction, Question, Quiz
+from site_builder.document.blocks import (
+    OTHERWISE,
+    Block,
+    Option,
+    Prediction,
+    Question,
+    Quiz,
+    Simulation,
+)
 from site_builder.document.book import Book, Chapter
 from site_builder.markdown.questions.kinds import kind_of
 from site_builder.pages.policy import json_for_html
@@ -29,6 +37,7 @@ def catalogue(book: Book, versions: Versions) -> bytes:
             "title": chapter.title,
             "url": chapter.url,
             "simulations": list(dict.fromkeys(figure.scene.id for figure in chapter.simulations)),
+            "figures": [_figure(figure) for figure in chapter.simulations],
             "quizzes": [quiz.id for quiz in chapter.quizzes],
         }
         for chapter in book.chapters
@@ -42,6 +51,15 @@ def catalogue(book: Book, versions: Versions) -> bytes:
         "predictions": [_entry(each, of) for of in book.chapters for each in of.predictions],
     }
     return (json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode()
+
+
+def _figure(figure: Simulation) -> dict[str, object]:
+    return {
+        "id": figure.id,
+        "simulation": figure.scene.id,
+        **({"panels": list(figure.panels)} if figure.panels else {}),
+        **({"with": figure.leader} if figure.leader else {}),
+    }
 
 
 def _simulation(scene: Scene[Any]) -> dict[str, object]:

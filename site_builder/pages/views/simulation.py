@@ -112,6 +112,8 @@ class HandleView:
     """What can be grabbed in a panel, and where it is at first."""
 
     handle: Handle[Any]
+    name: str
+    """For screen readers: its label, with the panel's title where others have the same."""
     place: Place | None
     """Nothing where it cannot be grabbed as the figure starts."""
     text: str
@@ -145,6 +147,8 @@ class SimulationView:
     description: str
     panels: tuple[PanelView, ...]
     """The one that leads first."""
+    small: bool
+    """Whether it is as wide as the text, its controls out of sight."""
     cells: tuple[Cell, ...]
     """Controls in sight."""
     folded_cells: tuple[Cell, ...]
@@ -158,7 +162,7 @@ class SimulationView:
     stages: tuple[StageReport, ...]
     stages_text: str
     schema: str
-    """JSON that is safe inside a script element."""
+    """JSON that is safe inside a script element; nothing for a part, whose leader has it."""
     prerendered: str
     """Address of what can be shown before Python has started; nothing where that is nothing."""
     sounds: bool
@@ -175,6 +179,8 @@ class SimulationView:
     def side(self) -> str:
         """Where controls and readouts stand on a wide page: ``beside`` the only panel, or
         ``beneath`` a second one that is low beside the first; else below all panels."""
+        if self.small:
+            return ""
         if len(self.panels) == 1:
             return "beside" if self.readouts or self.cells else ""
         first, second = (view.panel for view in self.panels[:2])
@@ -195,7 +201,8 @@ def view_simulation(
     prerendered = initial_frame.prerendered
     instrument = scene.instrument
     count = len(frame.panels)
-    cells, folded_cells = control_cells(initial_frame, tiers=bool(tiers), words=words)
+    has_menu = bool(tiers) and not figure.leader
+    cells, folded_cells = control_cells(initial_frame, tiers=has_menu, words=words)
     readouts, folded_readouts = readouts_in_sight(initial_frame)
     return SimulationView(
         name=_name(figure),
@@ -206,8 +213,9 @@ def view_simulation(
                 *_picture(initial_frame, panel.name, assets),
                 _handles(initial_frame, panel.name, words),
             )
-            for panel in sorted(frame.panels, key=lambda panel: not panel.lead)
+            for panel in ordered(frame.panels, figure)
         ),
+        small=figure.small,
         cells=cells,
         folded_cells=folded_cells,
         readouts=_numerals(readouts, words),
@@ -218,13 +226,18 @@ def view_simulation(
             replace(stage, reason=reason_text(stage.reason, words)) for stage in frame.stages
         ),
         stages_text=count_stages(frame.stages, words),
-        schema=json_for_html(schema(initial_frame, recorded or {})),
+        schema="" if figure.leader else json_for_html(schema(initial_frame, recorded or {})),
         prerendered=f"{assets}prerendered/{prerendered.file}" if prerendered else "",
         sounds=frame.sound is not None,
         takes_picture=instrument.photograph is not None and not instrument.measures_photographs,
         makes_files=_makes_files(figure),
         frame_height=800 + 120 * (count > 2) + 250 * (count > 3) + 180 * figure.yours,
     )
+
+
+def ordered(panels: Sequence[Panel], figure: Simulation) -> list[Panel]:
+    """As the author of the page names them, else the one that leads first."""
+    return list(panels) if figure.panels else sorted(panels, key=lambda panel: not panel.lead)
 
 
 def _ladder(ladder_id: str) -> Ladder:
@@ -253,6 +266,8 @@ def _handles(initial_frame: InitialFrame, panel: str, words: Words) -> tuple[Han
     scene = initial_frame.figure.scene
     places = {place.name: place for place in initial_frame.frame.handles}
     controls = {control.name: control for control in scene.controls}
+    labels = [handle.label for handle in scene.handles]
+    title = next(shown.title for shown in initial_frame.frame.panels if shown.name == panel)
 
     def view(handle: Handle[Any]) -> HandleView:
         driven = [controls[name] for name in handle.drives]
@@ -262,8 +277,10 @@ def _handles(initial_frame: InitialFrame, panel: str, words: Words) -> tuple[Han
         if len(driven) == 1 and not isinstance(driven[0], Points):
             reach = driven[0].span(values[driven[0].name])
         place = places.get(handle.name)
+        is_shared = labels.count(handle.label) > 1
         return HandleView(
             handle=handle,
+            name=f"{handle.label}, {title}" if is_shared else handle.label,
             place=place,
             text=", ".join(said),
             range=reach,

@@ -7,6 +7,7 @@ import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { findAll, element, findOptional, find } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { moveControls, readValues, uncover, type Value } from "./controls.ts";
+import { leaderOf, withParts } from "./parts.ts";
 import { record, settingsOf } from "./permalink.ts";
 
 /** Milliseconds that sliders take to where they are sent. */
@@ -26,19 +27,25 @@ export function prefersReducedMotion() {
 
 /** Do what a link of the text says. */
 export async function followLink(link: HTMLAnchorElement) {
-  const place = document.getElementById(link.dataset.figure ?? "");
-  const figure = place && find(place, "simulation-figure", HTMLElement);
-  if (!figure) return;
+  const shown = figureOf(link);
+  if (!shown) return;
+  const figure = leaderOf(shown);
   const values = valuesOfLink(link, figure);
   const { form, controls } = settingsOf(figure);
-  const current = readValues(form, controls);
-  const changed = Object.keys(values).filter((name) => values[name] !== current[name]);
+  const before = readValues(form, controls);
+  const changed = Object.keys(values).filter((name) => values[name] !== before[name]);
   followed.set(figure, link);
   uncover(form, changed);
   recordJump(figure, values);
-  await bringIntoView(find(figure, ".panels", HTMLElement));
+  await bringIntoView(find(shown, ".panels", HTMLElement));
   offerReturn(link);
   if (followed.get(figure) === link) glideTo(figure, values);
+}
+
+/** The figure that a link names, which may be a part. */
+function figureOf({ dataset }: HTMLElement) {
+  const place = document.getElementById(dataset.figure ?? "");
+  return place && find(place, "simulation-figure", HTMLElement);
 }
 
 /**
@@ -50,9 +57,10 @@ function valuesOfLink(link: HTMLAnchorElement, figure: HTMLElement): Record<stri
   const valuesOf = ({ dataset }: HTMLElement) => JSON.parse(dataset.values ?? "{}");
   const prediction = predictionOf(link);
   if (!prediction) return valuesOf(link);
-  const links = findAll(document, "a.set", HTMLAnchorElement).filter(
-    (other) => other.dataset.figure === link.dataset.figure && predictionOf(other) === prediction,
-  );
+  const links = findAll(document, "a.set", HTMLAnchorElement).filter((other) => {
+    const named = predictionOf(other) === prediction && figureOf(other);
+    return named && leaderOf(named) === figure;
+  });
   const upToHere = links.slice(0, links.indexOf(link) + 1);
   return Object.assign({ ...settingsOf(figure).start }, ...upToHere.map(valuesOf));
 }
@@ -110,7 +118,9 @@ export function glideTo(figure: HTMLElement, values: Record<string, Value>) {
     moveControls(form, sliders, Object.fromEntries(now), "input");
     if (share === 1) end();
   });
-  for (const type of ["pointerdown", "keydown"]) figure.addEventListener(type, end, { signal });
+  for (const type of ["pointerdown", "keydown"]) {
+    for (const each of withParts(figure)) each.addEventListener(type, end, { signal });
+  }
   document.addEventListener("keydown", ({ key }) => key === "Escape" && end(), { signal });
   // Another state of the page is asked for: what the move would leave behind is not to be kept.
   addEventListener("popstate", quit, { signal });

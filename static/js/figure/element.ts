@@ -7,6 +7,7 @@ import { EDITED_LIMIT, CALLS } from "../runtime/messages.ts";
 import { Runtime, startConfinedWorker, sharedRuntime } from "../runtime/runtime.ts";
 import { isAddressed, moveControls } from "./controls.ts";
 import { LiveFigure } from "./live.ts";
+import { leaderOf } from "./parts.ts";
 import { Overlay } from "./overlay.ts";
 import { showMessage } from "./status.ts";
 
@@ -24,13 +25,14 @@ export class SimulationFigure extends HTMLElement {
     moveControls,
     sharedRuntime,
   };
-  /** Null where the figure does not run. */
+  /** Null where the figure does not run, and for a part, which its leader's serves. */
   live: LiveFigure | null = null;
 
   connectedCallback() {
     const runtime = sharedRuntime();
     if (!runtime) return;
     if (!Runtime.supported) this.#refuse();
+    else if (this.dataset.with) return;
     else if (isAddressed(this)) this.#startAtAddress(runtime);
     else this.#start(runtime);
   }
@@ -42,8 +44,8 @@ export class SimulationFigure extends HTMLElement {
   }
 
   /** Whether the frame that was requested last is shown, or has failed. */
-  get rests() {
-    return this.live?.rests ?? true;
+  get rests(): boolean {
+    return this.#leader.live?.rests ?? true;
   }
 
   /** Start what waited for the reader to ask. */
@@ -59,8 +61,15 @@ export class SimulationFigure extends HTMLElement {
 
   /** Which condition is the first to hold of the figure's state; an error where it does not run. */
   async judge(conditions: string[]): Promise<number | null> {
-    if (!this.live) throw new Error(words("figure.does_not_run"));
-    return this.live.judge(conditions);
+    const { live } = this.#leader;
+    if (!live) throw new Error(words("figure.does_not_run"));
+    return live.judge(conditions);
+  }
+
+  /** The figure that has this one's settings. */
+  get #leader(): SimulationFigure {
+    const leader = leaderOf(this);
+    return leader instanceof SimulationFigure ? leader : this;
   }
 
   #start(runtime: Runtime) {

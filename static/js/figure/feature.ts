@@ -9,6 +9,7 @@ import { findAll, isPlainClick, findOptional, closestTo } from "../page/dom.ts";
 import { linkedPage, prefetch } from "../page/navigate.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
 import { prefersReducedMotion } from "./animate.ts";
+import { withParts } from "./parts.ts";
 import { SimulationFigure } from "./element.ts";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
@@ -77,8 +78,9 @@ function markTouched(event: Event) {
 async function recordState(event: Event) {
   const figure = closestTo(event, "simulation-figure", HTMLElement);
   const form = figure?.querySelector("form.controls");
-  for (const readout of figure?.querySelectorAll("[data-moved]") ?? []) {
-    readout.removeAttribute("data-moved");
+  for (const each of figure ? withParts(figure) : []) {
+    for (const readout of findAll(each, "[data-moved]", Element))
+      readout.removeAttribute("data-moved");
   }
   if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
   const permalink = await import("./permalink.ts").catch(ignore); // else the address stays

@@ -61,15 +61,18 @@ export class Handles {
   /** Whether a button has pulled, and the handle that it makes is to get the focus. */
   #byButton = false;
 
-  /** @param signal Ends all listening. */
+  /**
+   * @param figures A figure and its parts, whose handles move the form.
+   * @param signal Ends all listening.
+   */
   constructor(
-    readonly figure: HTMLElement,
+    readonly figures: HTMLElement[],
     readonly form: HTMLFormElement,
     readonly schema: Schema,
     readonly requestPull: (pull: Pull) => Promise<{ values: Record<string, Value> }>,
     signal: AbortSignal,
   ) {
-    for (const layer of findAll(figure, ".handles", HTMLElement)) {
+    for (const layer of figures.flatMap((each) => findAll(each, ".handles", HTMLElement))) {
       layer.addEventListener("pointerdown", (event) => this.#press(event, layer), { signal });
       layer.addEventListener("pointermove", (event) => this.#move(event), { signal });
       layer.addEventListener("pointerup", (event) => this.#release(event), { signal });
@@ -101,7 +104,7 @@ export class Handles {
   }
 
   get #elements() {
-    return findAll(this.figure, "[data-handle]", HTMLElement);
+    return this.figures.flatMap((each) => findAll(each, "[data-handle]", HTMLElement));
   }
 
   #press(event: PointerEvent, layer: HTMLElement) {
@@ -152,7 +155,8 @@ export class Handles {
   }
 
   async #pull({ handle, place: [x, y], done }: Job) {
-    const { figure, form } = this;
+    const { form } = this;
+    const [figure] = this.figures;
     const { controls } = this.schema;
     try {
       const sent = readValues(form, controls);
@@ -235,8 +239,9 @@ export class Handles {
     const element = closestTo(event, "[data-handle]", HTMLElement);
     const begun = event.type === "pointerover" || event.type === "focusin";
     for (const setting of element ? drivenSettings(element) : []) {
-      const box = this.form.querySelector(named(setting))?.closest(".control");
-      box?.classList.toggle("driven", begun);
+      for (const field of this.figures.flatMap((each) => findAll(each, named(setting), Element))) {
+        field.closest(".control")?.classList.toggle("driven", begun);
+      }
     }
     // A browser may show the focus that a hand has left, as if by keyboard.
     if (event.type === "focusout") element?.classList.remove("by-hand");

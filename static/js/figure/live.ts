@@ -7,7 +7,7 @@ import { isStartDeferred, deferralReason } from "../page/data_saver.ts";
 import { data, find, closestTo } from "../page/dom.ts";
 import type { FrameReply } from "../runtime/messages.ts";
 import { RuntimeFailure, sharedRuntime, type Caller } from "../runtime/runtime.ts";
-import { announcer, clearFailure, showFailure, showLive, showMessage } from "./status.ts";
+import { announcer, clearFailure, setState, showFailure, showLive, showMessage } from "./status.ts";
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
 import { isSlider, showValue } from "../../../simulations/engine/controls/slider/kind.ts";
 import {
@@ -24,6 +24,7 @@ import { Motion, moveInView } from "./motion.ts";
 import { ReaderPicture } from "./reader_picture.ts";
 import { Painter, adoptInitialFrames } from "./painter.ts";
 import { Prerendered } from "./prerendered.ts";
+import { areFolded, Mirrors, withParts } from "./parts.ts";
 import { attemptTwice, startAll, retryAll, reportWaiting } from "./recovery.ts";
 import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
@@ -54,7 +55,8 @@ export class LiveFigure {
   #key = `figure-${++figures}`;
   #scheduler: LatestWins<Job> = new LatestWins((job) => this.#run(job));
   #listeners = new AbortController();
-  #near = false;
+  /** Of the figure and its parts, those near the window. */
+  #nearby: Set<Element> = new Set();
   /** What the last frame was requested for, and what the last one shows. */
   #requested = "";
   #painted = "";
@@ -64,6 +66,9 @@ export class LiveFigure {
 
   /** What the stages of the shown frame did. */
   stages: Stage[] = [];
+  /** This figure, and the parts that show panels of its frames. */
+  readonly figures: HTMLElement[];
+  readonly mirrors: Mirrors;
   readonly schema: Schema;
   readonly form: HTMLFormElement;
   readonly painter: Painter;
@@ -84,11 +89,13 @@ export class LiveFigure {
     this.schema = data(figure, "script.schema");
     this.form = find(figure, "form.controls", HTMLFormElement);
     this.levels = new FigureLevels(this.form, this.schema, this.#scene);
-    this.painter = new Painter(figure);
+    this.figures = withParts(figure);
+    this.mirrors = new Mirrors(this.figures.slice(1), this.form, this.schema.controls, signal);
+    this.painter = new Painter(this.figures);
     this.prerendered = new Prerendered(this.painter, this.form, this.schema, (places) => {
       this.handles.show(places);
     });
-    this.announce = announcer(find(figure, ".description", HTMLElement));
+    this.announce = announcer(this.figures);
     const estimate: Accuracy["nextEstimate"] = async ({ values, tier }, urgency) => {
       return (await this.runtime.call("error", this.#request(values, tier), urgency)).estimate;
     };
@@ -105,8 +112,8 @@ export class LiveFigure {
     );
     this.#listen(signal);
     const pull = (pull: Pull) => this.#pull(pull);
-    this.handles = new Handles(figure, this.form, this.schema, pull, signal);
-    moveInView(figure, this.motion, signal);
+    this.handles = new Handles(this.figures, this.form, this.schema, pull, signal);
+    moveInView(this.figures, this.motion, signal);
     this.observer = this.#startInView();
   }
 
@@ -129,7 +136,7 @@ export class LiveFigure {
 
   /** Try again what failed, or start what waited for the reader; the figure keeps its values. */
   retry() {
-    this.figure.dataset.state = "starting";
+    setState(this.figure, "starting");
     showMessage(this.figure, "");
     this.#askAgain();
   }
@@ -167,17 +174,22 @@ export class LiveFigure {
    * is folded up, once that is opened.
    */
   #startInView() {
-    if (isStartDeferred()) this.figure.dataset.state = "waiting";
+    if (isStartDeferred()) setState(this.figure, "waiting");
     if (this.#waits) showMessage(this.figure, deferralReason(), { begin: true, lasting: true });
     const begin = () => {
       const isNew = !this.#requested && this.figure.dataset.state !== "failed";
       if (isNew) this.#ask(performance.now(), "", false, URGENCY.far);
     };
     const { signal } = this.#listeners;
-    this.figure.closest("details")?.addEventListener("toggle", begin, { signal });
+    for (const each of this.figures) {
+      each.closest("details")?.addEventListener("toggle", begin, { signal });
+    }
     const observer = new IntersectionObserver(
-      ([entry]) => {
-        this.#near = entry.isIntersecting;
+      (entries) => {
+        for (const { target, isIntersecting } of entries) {
+          if (isIntersecting) this.#nearby.add(target);
+          else this.#nearby.delete(target);
+        }
         this.accuracy.near = this.#near;
         if (this.#near) this.prerendered.near();
         this.#cache();
@@ -185,19 +197,21 @@ export class LiveFigure {
       },
       { rootMargin: "50% 0px" },
     );
-    observer.observe(this.figure);
+    for (const each of this.figures) observer.observe(each);
     return observer;
   }
 
   #listen(signal: AbortSignal) {
-    const { form, figure } = this;
+    const { form } = this;
     form.addEventListener("submit", (event) => event.preventDefault(), { signal });
     form.addEventListener("input", (event) => this.#changed(event, true), { signal });
     form.addEventListener("change", (event) => this.#changed(event, false), { signal });
     form.addEventListener("click", (event) => this.#pressed(event), { signal });
-    const retry = find(figure, ".retry", HTMLButtonElement);
-    retry.addEventListener("click", () => this.#tryAgain(), { signal });
-    find(figure, ".begin", HTMLButtonElement).addEventListener("click", startAll, { signal });
+    for (const each of this.figures) {
+      const retry = find(each, ".retry", HTMLButtonElement);
+      retry.addEventListener("click", () => this.#tryAgain(), { signal });
+      find(each, ".begin", HTMLButtonElement).addEventListener("click", startAll, { signal });
+    }
   }
 
   /** After a failure, or in place of a worker that keeps the figure waiting. */
@@ -210,9 +224,9 @@ export class LiveFigure {
     }
   }
 
-  /** Whether it stands in a section that is folded up. */
-  get #isFolded() {
-    return this.figure.closest("details:not([open])") !== null;
+  /** Whether it, or a part of it, is near the window. */
+  get #near() {
+    return this.#nearby.size > 0;
   }
 
   /** Whether Python must not start before the reader asks. */
@@ -268,9 +282,9 @@ export class LiveFigure {
    * @param isMoving Whether it goes on.
    */
   #ask(time: number, control = "", isMoving = false, urgency: number = URGENCY.touched) {
-    if (!this.figure.isConnected || this.#waits || this.#isFolded) return;
-    const { dataset } = this.figure;
-    if (dataset.state === "still") dataset.state = "starting";
+    this.mirrors.show(readValues(this.form, this.schema.controls));
+    if (!this.figure.isConnected || this.#waits || areFolded(this.figures)) return;
+    if (this.figure.dataset.state === "still") setState(this.figure, "starting");
     const [values, tier, pictures] = [this.#values, this.levels.rest, this.pictures.key];
     const job = { values, tier, control, isMoving, pictures, time, urgency };
     const requested = `${frameKey(job)} ${isMoving}`;
@@ -326,7 +340,7 @@ export class LiveFigure {
     if (sources !== document.body.dataset.sources || !isUnchanged()) return false;
     if (this.figure.isConnected) {
       this.prerendered.end();
-      adoptInitialFrames(this.figure);
+      this.figures.forEach(adoptInitialFrames);
       clearFailure(this.figure);
       this.#painted = frameKey(job);
       showLive(this.figure, job, 0);

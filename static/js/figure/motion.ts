@@ -21,8 +21,10 @@ const REDUCED_MOST = 24;
 const RETURN_MS = 4000;
 
 export class Motion {
-  /** Without an action it has begun by itself, and any touch ends it. */
+  /** Without an action any touch ends it. */
   #playing: { action: Action | null; slider: Slider; stop: () => void } | null = null;
+  /** Whether what plays has begun by itself, and no hand was on the figure since. */
+  #byItself = false;
 
   /** @param moved Called after each move of a slider, with its name and whether the move goes on. */
   constructor(
@@ -55,6 +57,13 @@ export class Motion {
     this.moved(slider.name, performance.now(), false);
   }
 
+  /** Nobody sees it any more: what has begun by itself is undone, so that the text stays true. */
+  away() {
+    const slider = this.#byItself && this.#playing?.slider;
+    if (slider) writeValue(this.form, slider, this.schema.values[slider.name]);
+    this.stop();
+  }
+
   /** Begin what a figure shows by itself, if a control says so and stands where the page put it. */
   startByItself() {
     const { controls, values } = this.schema;
@@ -62,10 +71,12 @@ export class Motion {
     const slider = controls.filter(isSlider).find(({ arrival }) => arrival !== undefined);
     if (action) this.press(action, performance.now());
     else if (slider && this.#value(slider) === values[slider.name]) this.#goAndReturn(slider);
+    this.#byItself = true;
   }
 
   /** A hand is on the figure. */
   stopByTouch() {
+    this.#byItself = false;
     if (this.#playing && !this.#playing.action) this.stop();
   }
 
@@ -135,15 +146,17 @@ export class Motion {
 const IN_VIEW = 0.5;
 
 /**
- * Have a figure move when it comes into view, once, if no hand was on it; not where the reader asked
+ * Have a figure move when it, or a part of it, comes into view, once, if no hand was on it; not where the reader asked
  * for less motion. Whatever moves stops where nobody sees it.
  *
  * @param signal Ends all watching.
  */
-export function moveInView(figure: HTMLElement, motion: Motion, signal: AbortSignal) {
+export function moveInView(figures: HTMLElement[], motion: Motion, signal: AbortSignal) {
+  const [figure] = figures;
+  const seen: Map<Element, IntersectionObserverEntry> = new Map();
   let waits = true;
-  let inView = false;
   const begin = () => {
+    const inView = [...seen.values()].some((entry) => entry.intersectionRatio >= IN_VIEW);
     // Python has computed a frame of it, and so will keep up with what moves.
     if (!waits || !inView || !Number(figure.dataset.computeMs) || prefersReducedMotion()) return;
     waits = false;
@@ -155,17 +168,16 @@ export function moveInView(figure: HTMLElement, motion: Motion, signal: AbortSig
   };
   const observer = new IntersectionObserver(
     (entries) => {
-      const last = entries[entries.length - 1];
-      inView = last.intersectionRatio >= IN_VIEW;
-      if (last.isIntersecting) begin();
-      else motion.stop();
+      for (const entry of entries) seen.set(entry.target, entry);
+      if ([...seen.values()].some((entry) => entry.isIntersecting)) begin();
+      else motion.away();
     },
     { threshold: [0, IN_VIEW] },
   );
-  observer.observe(find(figure, ".panels", HTMLElement));
+  for (const each of figures) observer.observe(find(each, ".panels", HTMLElement));
   signal.addEventListener("abort", () => observer.disconnect());
   figure.addEventListener("painted", begin, { signal });
   for (const type of ["pointerdown", "keydown", "input", "change"]) {
-    figure.addEventListener(type, touched, { signal, capture: true });
+    for (const each of figures) each.addEventListener(type, touched, { signal, capture: true });
   }
 }

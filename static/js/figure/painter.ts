@@ -29,44 +29,58 @@ export interface FrameMeta {
 type PanelElements = { view: HTMLElement; overlay: Overlay | null; title: Element | null };
 
 export class Painter {
-  /** By the panel's name. */
-  #boxes: Map<string, PanelElements> = new Map();
+  /** By the panel's name, which several figures may show. */
+  #boxes: Map<string, PanelElements[]> = new Map();
   /** Each readout as it was written last. */
   #written: Map<string, string> = new Map();
 
-  constructor(readonly figure: HTMLElement) {}
+  /** @param figures A figure and its parts, each with some of the panels. */
+  constructor(readonly figures: HTMLElement[]) {}
 
   /** @param rasters The pixels of the panels that have any, in their order. */
   paint(meta: FrameMeta, rasters: ArrayBuffer[]) {
     const pixels = rasters.values();
     for (const panel of meta.panels) {
-      const { view, overlay, title } = this.#box(panel.name);
-      fitPanel(view, panel);
-      if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
-      overlay?.show(panel.overlay);
-      setText(title, panel.title);
+      const raster = panel.raster && pixels.next().value;
+      for (const { view, overlay, title } of this.#boxesOf(panel.name)) {
+        fitPanel(view, panel);
+        if (panel.raster) paintRaster(view, panel, panel.raster, raster);
+        overlay?.show(panel.overlay);
+        setText(title, panel.title);
+      }
     }
     for (const readout of meta.readouts) this.#write(readout);
   }
 
-  #box(name: string) {
-    let box = this.#boxes.get(name);
-    if (!box) {
-      const panel = find(this.figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
-      const view = find(panel, ".panel-view", HTMLElement);
-      const svg = view.querySelector("svg.overlay");
-      box = { view, overlay: svg && new Overlay(svg), title: panel.querySelector(".panel-title") };
-      this.#boxes.set(name, box);
+  #boxesOf(name: string) {
+    let boxes = this.#boxes.get(name);
+    if (!boxes) {
+      boxes = panelsOf(this.figures, name).map((panel) => {
+        const view = find(panel, ".panel-view", HTMLElement);
+        const svg = view.querySelector("svg.overlay");
+        return {
+          view,
+          overlay: svg && new Overlay(svg),
+          title: panel.querySelector(".panel-title"),
+        };
+      });
+      this.#boxes.set(name, boxes);
     }
-    return box;
+    return boxes;
   }
 
   #write(readout: Readout) {
     const now = `${readout.text}|${readout.unit}|${readout.role}`;
     if (this.#written.get(readout.name) === now) return;
     this.#written.set(readout.name, now);
-    paintReadout(this.figure, readout);
+    for (const figure of this.figures) paintReadout(figure, readout);
   }
+}
+
+/** The panels of that name that figures show. */
+export function panelsOf(figures: HTMLElement[], name: string) {
+  const selector = `.panel[data-panel="${CSS.escape(name)}"]`;
+  return figures.flatMap((figure) => findAll(figure, selector, HTMLElement));
 }
 
 /** Give a panel the shape of what it shows: photographs of the reader's have their own. */
@@ -86,7 +100,7 @@ function paintRaster(
   view: HTMLElement,
   panel: Panel,
   { width, height }: { width: number; height: number },
-  pixels: ArrayBuffer | undefined,
+  pixels: ArrayBuffer | null | undefined,
 ) {
   if (!pixels) throw new Error(words("figure.no_pixels", { panel: panel.name }));
   const image = new ImageData(new Uint8ClampedArray(pixels), width, height); // a view, no copy

@@ -24,6 +24,7 @@ import {
 } from "./controls.ts";
 import { KINDS } from "./control_kinds.js";
 import { accuracyMenu } from "./levels.ts";
+import { LEADS } from "./parts.ts";
 import { showMessage } from "./status.ts";
 
 /** How many settings of an address that mean nothing are named, and how much of each. */
@@ -117,7 +118,7 @@ export function record(
 
 /** Bring every figure of the page to where the address says, or back to the page's start. */
 export function showAddress() {
-  for (const figure of findAll(document, "simulation-figure", HTMLElement)) arrive(figure);
+  for (const figure of findAll(document, LEADS, HTMLElement)) arrive(figure);
 }
 
 /** Put the controls of a figure to where the address says, and the others to the page's start. */

@@ -11,7 +11,7 @@ import { words } from "../page/words.ts";
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { readValues, type Schema, type Value } from "./controls.ts";
 import type { Place } from "./handles.ts";
-import type { FrameMeta, Painter } from "./painter.ts";
+import { panelsOf, type FrameMeta, type Painter } from "./painter.ts";
 
 type Frame = FrameMeta & { value: Value; pictures: Record<string, string> };
 
@@ -40,12 +40,14 @@ export class Prerendered {
     readonly schema: Schema,
     readonly placeHandles: (handles: Place[]) => void,
   ) {
-    const { figure } = painter;
+    const [figure] = painter.figures;
     this.figure = figure;
     const { signal } = this.#listeners;
     if (!figure.dataset.prerendered) return;
     const options = { signal, once: true, passive: true };
-    for (const kind of POINTING_EVENTS) figure.addEventListener(kind, () => this.#fetch(), options);
+    for (const each of painter.figures) {
+      for (const kind of POINTING_EVENTS) each.addEventListener(kind, () => this.#fetch(), options);
+    }
     form.addEventListener("input", () => this.#showNearest(), { signal });
     form.addEventListener("change", () => this.#showNearest(), { signal });
   }
@@ -62,7 +64,8 @@ export class Prerendered {
   end() {
     this.#listeners.abort();
     delete this.figure.dataset.early;
-    findOptional(this.figure, ".early-mark", HTMLElement)?.remove();
+    for (const each of this.painter.figures)
+      findOptional(each, ".early-mark", HTMLElement)?.remove();
   }
 
   /** Show the frame nearest to the form's values, where no other control has been moved. */
@@ -82,13 +85,17 @@ export class Prerendered {
     const drawings = frame.panels.map((panel) => ({ ...panel, raster: null }));
     this.painter.paint({ ...frame, panels: drawings }, []);
     for (const [name, address] of Object.entries(frame.pictures)) {
-      const panel = find(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
-      const initial = findOptional(panel, "img.still", HTMLImageElement);
-      if (initial) initial.src = address;
+      for (const panel of panelsOf(this.painter.figures, name)) {
+        const initial = findOptional(panel, "img.still", HTMLImageElement);
+        if (initial) initial.src = address;
+      }
     }
     this.placeHandles(frame.handles);
-    setText(find(figure, ".description", HTMLElement), frame.description);
-    this.#mark(words("figure.early", { setting: this.#setting(control, frame.value) }));
+    const text = words("figure.early", { setting: this.#setting(control, frame.value) });
+    for (const each of this.painter.figures) {
+      setText(find(each, ".description", HTMLElement), frame.description);
+      mark(each, text);
+    }
     figure.dataset.early = String(frame.value);
   }
 
@@ -96,15 +103,6 @@ export class Prerendered {
     const control = this.schema.controls.find((one) => one.name === name);
     const text = isSlider(control) ? formatValue(control, Number(value)) : String(value);
     return `${control?.label} ${text}`;
-  }
-
-  #mark(text: string) {
-    let mark = findOptional(this.figure, ".early-mark", HTMLElement);
-    if (!mark) {
-      mark = element("p", "early-mark box fine");
-      find(this.figure, ".panel", HTMLElement).append(mark);
-    }
-    mark.textContent = text;
   }
 
   /** @returns Null where they do not arrive: Python is starting. */
@@ -115,6 +113,16 @@ export class Prerendered {
       .catch(() => null);
     return this.#frames;
   }
+}
+
+/** Say over the first panel of a figure what it shows. */
+function mark(figure: HTMLElement, text: string) {
+  let mark = findOptional(figure, ".early-mark", HTMLElement);
+  if (!mark) {
+    mark = element("p", "early-mark box fine");
+    find(figure, ".panel", HTMLElement).append(mark);
+  }
+  mark.textContent = text;
 }
 
 /** The frame of the nearest number, or of exactly this option. */

@@ -7,7 +7,8 @@ import { allowStart } from "../page/data_saver.ts";
 import { findAll } from "../page/dom.ts";
 import { words } from "../page/words.ts";
 import { RuntimeFailure, type Caller } from "../runtime/runtime.ts";
-import { showMessage } from "./status.ts";
+import { LEADS } from "./parts.ts";
+import { showMessage, setState } from "./status.ts";
 
 /** Seconds after which a figure says what it waits for, and after which it offers another try. */
 const REPORTED_AFTER = 4;
@@ -65,7 +66,7 @@ export async function attemptTwice(
     // A request made since then may have joined a start of Python from before.
     if (kind !== "lost" && onlineSince <= Math.min(begun, worker)) return error;
   }
-  figure.dataset.state = "starting";
+  setState(figure, "starting");
   if (!isWanted()) return undefined;
   return attempt().then(
     () => undefined,
@@ -85,7 +86,7 @@ export function retryAll() {
 }
 
 function callAll(state: "waiting" | "failed", method: "begin" | "retry") {
-  for (const figure of findAll(document, `simulation-figure[data-state="${state}"]`, HTMLElement)) {
+  for (const figure of findAll(document, `${LEADS}[data-state="${state}"]`, HTMLElement)) {
     (figure as any)[method]();
   }
 }

@@ -14,6 +14,7 @@ import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
 import { IN_TIME } from "./chooser.ts";
 import { RuntimeFailure } from "../runtime/runtime.ts";
+import { withParts } from "./parts.ts";
 
 /**
  * Show `message` under the figure, or nothing.
@@ -31,13 +32,22 @@ export function showMessage(
     waiting = false,
   }: { retry?: boolean; begin?: boolean; lasting?: boolean; waiting?: boolean } = {},
 ) {
-  const status = find(figure, ".figure-status", HTMLElement);
-  setText(find(figure, ".figure-message", HTMLElement), message);
-  status.hidden = !message;
-  status.classList.toggle("lasting", lasting);
-  status.classList.toggle("waiting", waiting);
-  find(figure, ".retry", HTMLButtonElement).hidden = !retry;
-  find(figure, ".begin", HTMLButtonElement).hidden = !begin;
+  for (const each of withParts(figure)) {
+    const status = find(each, ".figure-status", HTMLElement);
+    setText(find(each, ".figure-message", HTMLElement), message);
+    status.hidden = !message;
+    status.classList.toggle("lasting", lasting);
+    status.classList.toggle("waiting", waiting);
+    find(each, ".retry", HTMLButtonElement).hidden = !retry;
+    find(each, ".begin", HTMLButtonElement).hidden = !begin;
+  }
+}
+
+/** Set the state of a figure, and of its parts. */
+export function setState(figure: HTMLElement, state: string) {
+  for (const each of withParts(figure)) {
+    if (each.dataset.state !== state) each.dataset.state = state;
+  }
 }
 
 /** A frame has come: what was said of the lack of one is over. */
@@ -45,29 +55,33 @@ export function clearFailure(figure: HTMLElement) {
   if (!figure.querySelector(".figure-status.lasting")) showMessage(figure, "");
 }
 
-/** @param job Its tier, and the time of the event that it answers. */
+/**
+ * A frame has been painted, of a figure and its parts.
+ *
+ * @param job Its tier, and the time of the event that it answers.
+ */
 export function showLive(
   figure: HTMLElement,
   job: { tier: string; time: number },
   computeMs: number,
 ) {
-  figure.dataset.computeMs = computeMs.toFixed(1);
   const latencyMs = performance.now() - job.time;
-  figure.dataset.latencyMs = latencyMs.toFixed(1);
-  const late = Number(figure.dataset.late ?? 0);
   const isLate = figure.dataset.state === "live" && latencyMs > IN_TIME;
-  figure.dataset.late = String(isLate ? late + 1 : late);
-  if (figure.dataset.level !== job.tier) figure.dataset.level = job.tier;
-  figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
-  if (figure.dataset.state !== "live") {
-    figure.dataset.state = "live";
-    clearStartCount();
+  const isFirst = figure.dataset.state !== "live";
+  for (const { dataset } of withParts(figure)) {
+    dataset.computeMs = computeMs.toFixed(1);
+    dataset.latencyMs = latencyMs.toFixed(1);
+    dataset.late = String(Number(dataset.late ?? 0) + Number(isLate));
+    if (dataset.level !== job.tier) dataset.level = job.tier;
+    dataset.frames = String(Number(dataset.frames ?? 0) + 1);
+    if (dataset.state !== "live") dataset.state = "live";
   }
+  if (isFirst) clearStartCount();
   figure.dispatchEvent(new Event("painted"));
 }
 
 export function showFailure(figure: HTMLElement, error: unknown) {
-  figure.dataset.state = "failed";
+  setState(figure, "failed");
   const { kind, loadError = "" } = error instanceof RuntimeFailure ? error : { kind: "page" };
   if (["status", "other"].includes(loadError)) offerRelease();
   showMessage(figure, words(`figure.${kind}`, { reason: errorText(error) }), { retry: true });
@@ -78,10 +92,11 @@ export function showFailure(figure: HTMLElement, error: unknown) {
 const REST = 500;
 
 /**
- * A function that writes text into `element`, once changes have come to rest: of a drag only the
+ * A function that writes text into the description of a figure, and of its parts, once changes have come to rest: of a drag only the
  * result is announced. The text that a page opens with is not. The event `figure-rest` follows.
  */
-export function announcer(element: HTMLElement): (text: string) => void {
+export function announcer(figures: HTMLElement[]): (text: string) => void {
+  const [element, ...others] = figures.map((each) => find(each, ".description", HTMLElement));
   let timer = 0;
   return (text) => {
     clearTimeout(timer);
@@ -89,6 +104,7 @@ export function announcer(element: HTMLElement): (text: string) => void {
       const isArrival = navigator.userActivation?.hasBeenActive === false;
       element.setAttribute("aria-live", isArrival ? "off" : "polite");
       setText(element, text);
+      for (const other of others) setText(other, text);
       element.dispatchEvent(new Event("figure-rest", { bubbles: true }));
     }, REST);
   };

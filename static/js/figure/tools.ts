@@ -7,6 +7,7 @@ import { fromNumeral, words } from "../page/words.ts";
 import { sharedRuntime } from "../runtime/runtime.ts";
 import { glideTo, recordJump } from "./animate.ts";
 import { readValues } from "./controls.ts";
+import { leaderOf } from "./parts.ts";
 import { embedding, permalink, settingsOf } from "./permalink.ts";
 import { panelFile } from "./picture.ts";
 
@@ -22,9 +23,9 @@ const TOOLS: Record<string, Tool> = {
   further: (_, button) => {
     button.ariaExpanded = String(button.ariaExpanded !== "true");
   },
-  copyLink: (figure) => copy(figure, permalink(figure), words("tools.link_copied")),
+  copyLink: (figure) => copy(figure, permalink(leaderOf(figure)), words("tools.link_copied")),
   copyEmbed: (figure, { dataset: { copyEmbed = "", height = "" } }) =>
-    copy(figure, embedding(figure, copyEmbed, height), words("tools.embed_copied")),
+    copy(figure, embedding(leaderOf(figure), copyEmbed, height), words("tools.embed_copied")),
   copyPython,
   playSound: async (figure, button) => (await import("./sound.ts")).toggleSound(figure, button),
   saveNumbers: (figure) => save(figure, "numbers.csv", numbersOf(figure), "text/csv"),
@@ -46,7 +47,8 @@ export async function runTool(button: HTMLButtonElement) {
 }
 
 /** Back to where the page put it. */
-function reset(figure: HTMLElement) {
+function reset(part: HTMLElement) {
+  const figure = leaderOf(part);
   const { start } = settingsOf(figure);
   recordJump(figure, start);
   glideTo(figure, start);
@@ -73,11 +75,12 @@ async function fullScreen(figure: HTMLElement, button: HTMLButtonElement) {
 async function copyPython(figure: HTMLElement) {
   const runtime = sharedRuntime();
   if (!runtime) return;
-  const { form, controls } = settingsOf(figure);
+  const leader = leaderOf(figure);
+  const { form, controls } = settingsOf(leader);
   const { tier: _, ...values } = readValues(form, controls);
-  const edited = "edited" in figure.dataset;
-  const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
-  const { title } = data(figure, "script.schema");
+  const edited = "edited" in leader.dataset;
+  const own = leader.querySelector(".photograph-back:not([hidden])") !== null;
+  const { title } = data(leader, "script.schema");
   const notes = [
     words("script.title", { title }),
     ...(edited ? [words("script.edited")] : []),
@@ -134,7 +137,7 @@ function report(figure: HTMLElement, text: string) {
  * What a figure is set to and what it measures, for other programs, as comma-separated values: a line for each setting and each number, entries of a matrix row by row.
  */
 function numbersOf(figure: HTMLElement) {
-  const { form, controls } = settingsOf(figure);
+  const { form, controls } = settingsOf(leaderOf(figure));
   const values = readValues(form, controls);
   const settings = controls.map((control) => {
     const unit = isSlider(control) ? control.unit : "";
