@@ -75,6 +75,23 @@ def straight_sensor(rng: np.random.Generator) -> Scores:
     return scored(estimates)
 
 
+@cache
+def cells() -> Floats:
+    """(96, 32) what cells add to the light: a pattern whose standard deviation is 12 DN."""
+    return 12.0 * np.random.default_rng((1, 7)).standard_normal((96, 32))
+
+
+def pair(rng: np.random.Generator) -> Scores:
+    """Two frames of single cells' noise of 8 DN, of rows' of 4 DN, and of the cells' pattern."""
+    noise, rows = rng.normal(0.0, 8.0, (2, 96, 32)), rng.normal(0.0, 4.0, (2, 96, 1))
+    level = measure_pair(np.rint(500 + cells() + noise + rows).astype(np.uint16), 4095)
+    return {
+        "noise": (level.noise_dn2 - 80.0) / level.noise_error_dn2,
+        "pattern": (level.pattern_dn2 - cells().var()) / level.pattern_error_dn2,
+        "row noise": (level.row_dn2 - 16.0) / level.row_error_dn2,
+    }
+
+
 def drawn_levels(
     rng: np.random.Generator,
     light_e: Floats,
@@ -167,11 +184,11 @@ def shutters(rng: np.random.Generator) -> Scores:
     return scored({"linearity": (linearity, off * math.sqrt(2 / math.pi * (1 - 2 / count)))})
 
 
-def toned_frames(rng: np.random.Generator) -> Scores:
-    """A tone curve by eight frames whose shutters are off by chance."""
+def toned_frames(rng: np.random.Generator, off: float = 0.05) -> Scores:
+    """A tone curve by eight frames whose shutters are off by so many stops."""
     light, strength = np.geomspace(0.01, 0.7, 8), rng.uniform(-0.6, 0.6)
     toned = decode_srgb(tone_curve(encode_srgb(light), strength))
-    found = tone_by_exposures(toned, light * 2 ** (0.05 * rng.standard_normal(8)))
+    found = tone_by_exposures(toned, light * 2 ** (off * rng.standard_normal(8)))
     assert found
     return {"strength": (found[0] - strength) / found[1]}
 
@@ -336,6 +353,7 @@ def off_centre(rng: np.random.Generator) -> Scores:
 
 
 ROWS: dict[str, tuple[Callable[[np.random.Generator], Scores], int, dict[str, float]]] = {
+    "pair of frames": (pair, 300, {"noise": 1.08, "pattern": 0.89, "row noise": 1.02}),
     "straight sensor": (
         straight_sensor,
         100,
@@ -362,7 +380,8 @@ ROWS: dict[str, tuple[Callable[[np.random.Generator], Scores], int, dict[str, fl
     "rough sensor": (rough_sensor, 300, {"gain": 1.34, "read noise": 1.32}),
     "full sensor": (full_sensor, 200, {"full well": 0.88, "dynamic range": 1.06}),
     "shutters": (shutters, 200, {"linearity": 1.09}),
-    "tone curve by exposures": (toned_frames, 30, {"strength": 0.77}),
+    "tone curve by exposures": (toned_frames, 20, {"strength": 0.86}),
+    "tone curve by rough shutters": (partial(toned_frames, off=0.15), 20, {"strength": 0.65}),
     "edge": (
         edge,
         100,
