@@ -82,8 +82,8 @@ def test_level_falls_only_after_two_late_frames(drags: list[Drag]) -> None:
                 assert after[0].level > before[0].level or late >= 2, (drag.seed, drag.device)
 
 
-def test_one_slow_frame_changes_nothing(drags: list[Drag]) -> None:
-    """But for a level whose frames are hardly in time by themselves."""
+def test_one_slow_frame_does_not_lower_the_level(drags: list[Drag]) -> None:
+    """Except at a level whose usual frames are hardly in time."""
     for drag in drags:
         if drag.device == "one_slow_frame" and drag.hands == "one":
             around = [frame for frame in drag.frames if 1900 < frame.at < 2200]
@@ -93,7 +93,7 @@ def test_one_slow_frame_changes_nothing(drags: list[Drag]) -> None:
                 assert min(after) >= slow.level, drag.seed
 
 
-def test_device_is_known_within_half_a_second(drags: list[Drag]) -> None:
+def test_level_suits_the_device_within_half_a_second(drags: list[Drag]) -> None:
     """No level is shown below one that is certainly in time, and few frames are late where the
     cheapest is; with heavy tails a fall by chance is made good."""
     for drag in drags:
@@ -106,8 +106,8 @@ def test_device_is_known_within_half_a_second(drags: list[Drag]) -> None:
                 assert late <= (0.2 + chance / 2) * len(frames), (drag.seed, drag.device)
 
 
-def test_known_device_changes_the_level_rarely(drags: list[Drag]) -> None:
-    """An attempt at more is repeated after ever longer times."""
+def test_level_changes_rarely_on_a_steady_device(drags: list[Drag]) -> None:
+    """After a failed attempt at a higher level, the next one waits longer."""
     found = [
         changes(frames)
         for drag in drags
@@ -118,8 +118,8 @@ def test_known_device_changes_the_level_rarely(drags: list[Drag]) -> None:
     assert sum(count <= 2 for count in found) >= 0.75 * len(found)
 
 
-def test_controls_are_known_apart(drags: list[Drag]) -> None:
-    """Of two that take turns, each keeps the level that it can have."""
+def test_each_control_has_its_own_level(drags: list[Drag]) -> None:
+    """Two controls that take turns each stay at the level that their cost allows."""
     for drag in drags:
         if drag.device == "constant" and drag.hands == "two":
             ((_, frames),) = drag.windows()
