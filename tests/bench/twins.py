@@ -146,10 +146,7 @@ def bilinear_mosaic() -> Twin:
     cells = {"floats": text(outputs["mosaic"].astype(np.float32))}
     given = {"width": width, "height": height, "cells": cells}
     entries = ("bilinear", "nearest", "malvar")
-    return Twin(
-        *("bayer-demosaic", "method", "demosaic", "picture", given),
-        *(entries, settings),
-    )
+    return Twin(*("bayer-demosaic", "method", "demosaic", "picture", given), *(entries, settings))
 
 
 TWINS = (lens_distortion, matte_ball, bilinear_mosaic)

@@ -32,13 +32,7 @@ from site_builder.programs import node
 from site_builder.programs.node import NodeError
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.store import VERSIONS
-from site_builder.search.index import (
-    STEMMERS,
-    Record,
-    SearchLibrary,
-    fetch_library,
-    index_of,
-)
+from site_builder.search.index import STEMMERS, Record, SearchLibrary, fetch_library, index_of
 
 
 def test_every_package_is_pinned_by_hash_and_no_lock_names_an_address() -> None:

@@ -98,12 +98,7 @@ def test_column_is_given_only_if_it_is_unambiguous(
     ],
 )
 def test_mistakes_and_warnings_are_listed_and_only_mistakes_fail(
-    run: Run,
-    capsys: pytest.CaptureFixture[str],
-    body: str,
-    mistakes: int,
-    warnings: int,
-    last: str,
+    run: Run, capsys: pytest.CaptureFixture[str], body: str, mistakes: int, warnings: int, last: str
 ) -> None:
     assert run("check", body=body) == (mistakes > 0)
     output = capsys.readouterr()
@@ -173,9 +168,7 @@ def test_check_and_build_report_an_import_missing_in_the_browser(
     assert raised.value.diagnostics == (found,)
 
 
-def test_syntax_error_in_an_unused_module_is_reported(
-    make_book: MakeBook,
-) -> None:
+def test_syntax_error_in_an_unused_module_is_reported(make_book: MakeBook) -> None:
     files = {
         "content/book.toml": OUTLINE,
         "simulations/browser.py": BROWSER,
@@ -238,9 +231,7 @@ def test_module_that_cannot_be_imported_is_reported_with_its_line(tmp_path: Path
     assert causes["drawn"].endswith(", at simulations/small/drawn.py:2")
 
 
-def test_exception_of_a_scene_is_reported_once_at_its_line_and_figure(
-    tmp_path: Path,
-) -> None:
+def test_exception_of_a_scene_is_reported_once_at_its_line_and_figure(tmp_path: Path) -> None:
     problems = Diagnostics()
     with small_package(tmp_path, {"scene": "def draw():\n    return 1 / 0\n"}):
         draw = import_module(f"{PACKAGE}.scene").draw

@@ -43,12 +43,7 @@ from site_builder.editions.pdf import (
     settle,
     volume,
 )
-from site_builder.editions.tree import (
-    elements,
-    is_external,
-    parse,
-    words,
-)
+from site_builder.editions.tree import elements, is_external, parse, words
 from site_builder.figures import initial_frames as prerendered_frames
 from site_builder.output.writer import content_bytes
 from site_builder.pages.environment import render_template
@@ -117,9 +112,7 @@ def test_style_of_an_e_book_has_no_css_variables() -> None:
     assert "var(" not in book_style(ROOT, {"heat": ("#ad4209", "#f79c63")})
 
 
-def test_printed_volume_has_unique_ids_valid_links_and_answers_last(
-    make_book: MakeBook,
-) -> None:
+def test_printed_volume_has_unique_ids_valid_links_and_answers_last(make_book: MakeBook) -> None:
     composed = compose(make_book(BODY, {"content/book.toml": PARTED}))
     chapter, _, answers = composed.sections
     assert "for a reason" not in words(chapter.article)
@@ -171,9 +164,7 @@ def test_printed_figure_shows_several_values_of_its_main_control(
 
 
 @pytest.mark.browser
-def test_page_numbers_in_the_pdf_are_correct(
-    make_book: MakeBook,
-) -> None:
+def test_page_numbers_in_the_pdf_are_correct(make_book: MakeBook) -> None:
     composed = compose(make_book(BODY))
     with ThreadPoolExecutor() as aside:  # no two Playwrights in one thread
         pdf = aside.submit(lambda: make_pdf(composed, pdf_printer())).result()

@@ -88,9 +88,7 @@ def test_invalid_frame_is_reported_once_at_the_figures_line(
     assert says in found
 
 
-def test_valid_frame_has_no_report_and_an_unused_formula_has_one(
-    diagnose: Diagnose,
-) -> None:
+def test_valid_frame_has_no_report_and_an_unused_formula_has_one(diagnose: Diagnose) -> None:
     drawn = frame("<g class='ray world'><text>nan</text></g>", np.zeros((2, 2, 4), np.uint8))
     assert diagnose(draw=lambda *_: drawn) == []
     (found,) = diagnose(formula=raising)
@@ -179,9 +177,7 @@ def test_colour_of_the_book_is_used_like_the_engines_colours(make_book: MakeBook
     assert "#f79c63" not in on_paper
 
 
-def test_colour_that_the_book_does_not_define_is_reported(
-    make_book: MakeBook,
-) -> None:
+def test_colour_that_the_book_does_not_define_is_reported(make_book: MakeBook) -> None:
     assert {one.message.partition(";")[0] for one in diagnostics(coloured_book(make_book, ""))} == {
         "unknown role 'heat'",
         "unknown colour role 'heat'",

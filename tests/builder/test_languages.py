@@ -76,9 +76,7 @@ def forms(text: str | Mapping[str, str]) -> list[str]:
 
 
 @pytest.mark.parametrize("language", languages())
-def test_each_language_has_the_keys_and_placeholders_of_english(
-    language: str,
-) -> None:
+def test_each_language_has_the_keys_and_placeholders_of_english(language: str) -> None:
     def named(words: Words) -> dict[str, tuple[set[str], int]]:
         return {
             key: ({name for form in forms(text) for name in PLACEHOLDER.findall(form)},

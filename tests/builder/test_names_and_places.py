@@ -97,9 +97,7 @@ def test_too_long_file_name_or_label_is_reported(
     assert [one.path for one in found if message in one.message] == ["content/00-first.md"]
 
 
-def test_too_long_name_of_a_chapter_or_panel_is_reported(
-    make_book: MakeBook,
-) -> None:
+def test_too_long_name_of_a_chapter_or_panel_is_reported(make_book: MakeBook) -> None:
     found = diagnostics(make_book("", {"content/book.toml": OUTLINE.replace("00-first", LONG)}))
     assert ("content/book.toml", 4) in {(one.path, one.line) for one in found}
     demo = load_demo("demo")

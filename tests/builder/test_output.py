@@ -141,9 +141,7 @@ def test_site_in_a_read_only_folder_stays_and_the_message_gives_advice(
     assert names(read_only_site.parent) == ["site"]
 
 
-def test_assets_folder_is_named_by_its_hash_and_has_no_hidden_files(
-    make_book: MakeBook,
-) -> None:
+def test_assets_folder_is_named_by_its_hash_and_has_no_hidden_files(make_book: MakeBook) -> None:
     given = ({"a": b"1"}, {"a": b"2"}, {"b": b"1"}, {"a": b"1", "b": b""}, {"ab": b"1"})
     assert len({hashed_folder("assets", files)[0] for files in given}) == len(given)
     folder, files = hashed_folder("assets", {"a": b"1"})

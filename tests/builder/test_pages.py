@@ -103,9 +103,7 @@ def test_licences_of_all_shipped_parts_are_complete(site: Mapping[str, bytes]) -
     assert all(phrase in texts for phrase in of_the_runtime)
 
 
-def test_title_page_has_starts_parts_and_the_first_figure_of_a_chapter(
-    make_book: MakeBook,
-) -> None:
+def test_title_page_has_starts_parts_and_the_first_figure_of_a_chapter(make_book: MakeBook) -> None:
     more = '[starts]\n"Begin" = "second"\n"Look" = "second#a-section"\n'
     more += '[path]\ntitle = "A path"\n[path.stops]\n"Why?" = "first"\n'
     outline = OUTLINE_WITH_FIGURE + more + '[parts]\nMotion = "second"\n'

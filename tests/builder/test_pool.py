@@ -19,12 +19,7 @@ from simulations.engine.settings import values_of
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.diagnostics.blame import place_of
 from site_builder.pool.loading import copy_of
-from site_builder.pool.processes import (
-    KilledError,
-    run_in_pool,
-    side_by_side,
-    using_pool,
-)
+from site_builder.pool.processes import KilledError, run_in_pool, side_by_side, using_pool
 
 MODULE = f"{PACKAGE}.scene"
 SECONDS = 2.0
@@ -178,9 +173,7 @@ def focal(camera):
 """
 
 
-def test_objects_of_authors_are_used_without_importing_their_module(
-    tmp_path: Path,
-) -> None:
+def test_objects_of_authors_are_used_without_importing_their_module(tmp_path: Path) -> None:
     with small_package(tmp_path, {"scene": MODEL}), using_pool():
         lens, camera, focal = (
             run_in_pool(partial(attribute, MODULE, name)) for name in ("Lens", "Camera", "focal")

@@ -152,9 +152,7 @@ def test_site_without_an_address_has_no_files_for_other_sites(
     assert all((b"canonical" in page) is (b"og:" in page) is bool(address) for page in pages)
 
 
-def test_compressed_copies_are_equal_and_not_part_of_the_release(
-    site: Mapping[str, bytes],
-) -> None:
+def test_compressed_copies_are_equal_and_not_part_of_the_release(site: Mapping[str, bytes]) -> None:
     assert "robots.txt" not in site, "which belongs to the root of a host"
     for ending, unpacked in ((".br", brotli.decompress), (".gz", gzip.decompress)):
         copies = {name for name in site if name.endswith(ending)}
@@ -191,9 +189,7 @@ def test_any_site_may_frame_the_book_unless_it_lists_sites(
     assert f"; {rule}\n" in text
 
 
-def test_only_files_named_by_their_hash_are_cached_for_ever(
-    site: Mapping[str, bytes],
-) -> None:
+def test_only_files_named_by_their_hash_are_cached_for_ever(site: Mapping[str, bytes]) -> None:
     rules = re.findall(r"^(/\S+)\n((?: .+\n)+)", site["_headers"].decode(), re.MULTILINE)
     kept = {pattern for pattern, text in rules if "Cache-Control" in text}
     assert kept == {"/books/small/assets/*", "/books/small/runtime/*"}

@@ -118,9 +118,7 @@ def test_moodle_questions_have_tex_site_links_tolerances_and_units(
     assert [each.text for each in length.iter("unit_name")] == ["mm"]
 
 
-def test_question_about_a_figure_has_its_link_and_a_solution(
-    moodle: dict[str, Element],
-) -> None:
+def test_question_about_a_figure_has_its_link_and_a_solution(moodle: dict[str, Element]) -> None:
     question = moodle["set-it"]
     assert f'href="{SITE}embed/first/figure-demo/"' in question.findtext("questiontext/text", "")
     solved = f"{SITE}embed/first/figure-demo/?k1=0.25&amp;kind=b"

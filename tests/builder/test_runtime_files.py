@@ -42,12 +42,7 @@ from site_builder.runtime.imports import (
     outside,
     reach,
 )
-from site_builder.runtime.pack import (
-    book_modules,
-    chunk_archive,
-    pack_runtime,
-    page_modules,
-)
+from site_builder.runtime.pack import book_modules, chunk_archive, pack_runtime, page_modules
 from site_builder.runtime.store import NUMPY_VERSION, RuntimeFile
 
 CONTENT = {"engine.wasm": b"machine code", "library.zip": b"modules"}
@@ -108,9 +103,7 @@ def test_next_source_supplies_the_files_that_the_first_did_not(
     assert requested == fetched
 
 
-def test_wrong_bytes_are_never_stored_and_the_message_gives_advice(
-    tmp_path: Path,
-) -> None:
+def test_wrong_bytes_are_never_stored_and_the_message_gives_advice(tmp_path: Path) -> None:
     with pytest.raises(RuntimeFetchError, match=r"engine\.wasm has SHA-256 .* expected"):
         fetch(tmp_path, source_of(CONTENT | {"engine.wasm": b"something else"}, []))
     place = store.location(tmp_path, FILES[0])
@@ -307,9 +300,7 @@ print(json.dumps([module.__name__ for module in ours if module.__file__]))
 """
 
 
-def test_pages_get_exactly_the_modules_of_worker_scenes_and_ladders(
-    engine: Engine,
-) -> None:
+def test_pages_get_exactly_the_modules_of_worker_scenes_and_ladders(engine: Engine) -> None:
     done = engine.run(GERMAN_BOOK, "-c", IMPORT_ALL)
     imports = imports_of(book_modules(GERMAN_BOOK / "simulations"))
     assert page_modules(imports, SCENES, LADDERS) == set(json.loads(done.stdout))

@@ -140,8 +140,7 @@ def test_site_of_a_new_book_has_its_figure_and_warns_of_placeholders(
 
 
 def test_code_of_a_new_book_passes_lint_and_contains_the_engine_wheel(
-    engine: Engine,
-    first_book: Path,
+    engine: Engine, first_book: Path
 ) -> None:
     ours = "lint.isort.known-first-party = ['simulations', 'site_builder']"
     settings = ("--config", str(ROOT / "pyproject.toml"), "--config", ours, "simulations", "tests")

@@ -13,16 +13,8 @@ from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance
-from simulations.models.color.cie import (
-    D65_XY,
-    rgb_to_xyz_matrix,
-    xyz_to_lab,
-    xyz_to_linear_rgb,
-)
-from simulations.models.sensor.photon_counting import (
-    ShotModel,
-    shot_noise,
-)
+from simulations.models.color.cie import D65_XY, rgb_to_xyz_matrix, xyz_to_lab, xyz_to_linear_rgb
+from simulations.models.sensor.photon_counting import ShotModel, shot_noise
 from simulations.scenes.jpeg import SCENE as JPEG
 from simulations.scenes.sensor_noise.sensor import PATCH_PX, patch_means_e, saturation_e, sensor_of
 

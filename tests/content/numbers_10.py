@@ -10,10 +10,7 @@ from simulations.ladders.inverse_distortion import LADDER
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.distortion import radial_profile, radial_table
-from simulations.models.distortion.lens_model import (
-    largest_distorted_radius,
-    undistort,
-)
+from simulations.models.distortion.lens_model import largest_distorted_radius, undistort
 from simulations.models.error_measures import psnr_db
 from simulations.models.light.raycasting import Sphere
 from simulations.models.sensor.demosaicing import demosaic, mosaic

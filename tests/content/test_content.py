@@ -114,9 +114,7 @@ def measured() -> Measurements:
     return found
 
 
-def test_every_ladder_is_measured_and_shown_without_personal_data(
-    measured: Measurements,
-) -> None:
+def test_every_ladder_is_measured_and_shown_without_personal_data(measured: Measurements) -> None:
     assert set(LADDER_MODULES) <= set(measured.ladders), "run `make bench`"
     assert set(re.findall(r"^:{3,}\{ladder\} (\S+)", "".join(TEXTS), re.MULTILINE)) == set(
         LADDER_MODULES

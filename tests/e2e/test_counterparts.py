@@ -34,13 +34,7 @@ from site_builder.pages.views.simulation import count_stages, reason_text, value
 
 pytestmark = pytest.mark.browser
 
-MODULES = (
-    "figure/stage_report",
-    "ladder/bench",
-    "ladder/chart",
-    "page/text",
-    "page/words",
-)
+MODULES = ("figure/stage_report", "ladder/bench", "ladder/chart", "page/text", "page/words")
 CALL = """async ([module, name, calls]) => {
   const url = new URL(`js/${module}.js`, location.href);
   const twin = (await import(url))[name];

@@ -49,7 +49,7 @@ def test_drag_stays_within_the_chosen_level_and_settles_in_it(
     assert figure.get_attribute("data-level") == chosen
 
 
-def test_slow_figure_moves_at_a_cheaper_level_and_says_so(guest: Reader, book: Any) -> None:
+def test_slow_figure_moves_at_a_cheaper_level_and_reports_it(guest: Reader, book: Any) -> None:
     figure = guest.figure_at_rest(book, "tiled-floor")
     assert figure.locator("[name=tier] option").first.get_attribute("value") == "automatic"
     assert values(figure, "tier") == ["automatic"]
@@ -240,9 +240,7 @@ def starts(figure: Locator, *names: str) -> list[str]:
     ]
 
 
-def test_address_sets_only_its_figure_and_invalid_parts_are_named(
-    visitor: Reader,
-) -> None:
+def test_address_sets_only_its_figure_and_invalid_parts_are_named(visitor: Reader) -> None:
     figure = open_at(visitor, k1="-0.3", picture="chart", tier="newton-5", correct="true")
     assert values(figure, "k1", "picture", "tier") == ["-0.3", "chart", "newton-5"]
     assert figure.locator("[name=correct]").is_checked()
@@ -270,9 +268,7 @@ def test_address_sets_only_its_figure_and_invalid_parts_are_named(
     assert visitor.page.workers == [worker]
 
 
-def test_address_follows_moved_controls_without_history_entries(
-    visitor: Reader,
-) -> None:
+def test_address_follows_moved_controls_without_history_entries(visitor: Reader) -> None:
     """Back from another chapter the figure has its settings."""
     visitor.turn_to(CHAPTER)
     page, figure = visitor.page, visitor.figure("lens-distortion")
@@ -292,9 +288,7 @@ def test_address_follows_moved_controls_without_history_entries(
     assert values(figure, "k1", "k2") == [*starts(figure, "k1"), "-0.1"]
 
 
-def test_reload_restores_settings_from_the_address_before_python_starts(
-    reader: Reader,
-) -> None:
+def test_reload_restores_settings_from_the_address_before_python_starts(reader: Reader) -> None:
     reader.page.add_init_script(SILENT_WORKER)
     reader.open(f"{CHAPTER}?{ID}.k1=0.3", live=False)
     reader.page.reload()

@@ -182,9 +182,7 @@ def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 
 
 @pytest.mark.parametrize(
-    "kept",
-    [True, pytest.param(False, marks=pytest.mark.deep)],
-    ids=["page kept", "page reloaded"],
+    "kept", [True, pytest.param(False, marks=pytest.mark.deep)], ids=["page kept", "page reloaded"]
 )
 def test_settings_answers_and_figures_survive_leaving_the_book_and_back(
     baseline_chromium: Browser,

@@ -80,9 +80,7 @@ def test_first_press_of_the_theme_button_changes_the_theme_for_good(
     assert page.locator("html").get_attribute("data-theme") == pressed
 
 
-def test_header_stays_slim_hides_on_a_phone_and_shows_progress(
-    plain_reader: Reader,
-) -> None:
+def test_header_stays_slim_hides_on_a_phone_and_shows_progress(plain_reader: Reader) -> None:
     page = plain_reader.page
     header = page.locator(".site-header")
     for address in ("", SECTIONS):
@@ -289,9 +287,7 @@ FIRST_HITS = """async (dialog, terms) => {
 }"""
 
 
-def test_search_marks_matches_and_tolerates_misspelling(
-    visitor: Reader,
-) -> None:
+def test_search_marks_matches_and_tolerates_misspelling(visitor: Reader) -> None:
     button, keyboard = visitor.page.locator("button[data-search]"), visitor.page.keyboard
     button.click()
     dialog = visitor.page.locator("dialog.search")

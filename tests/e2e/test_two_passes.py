@@ -25,9 +25,7 @@ def fold_of(reader: Reader, inside: str) -> Locator:
     return reader.page.locator("details.deeper", has=reader.page.locator(f"#{inside}"))
 
 
-def test_figure_of_a_deeper_section_starts_once_it_is_opened(
-    newcomer: Reader,
-) -> None:
+def test_figure_of_a_deeper_section_starts_once_it_is_opened(newcomer: Reader) -> None:
     """A reload keeps the section open."""
     newcomer.open(CHAPTER, live=False)
     unfolded = newcomer.page.locator("#figure-few-drops simulation-figure")

@@ -96,9 +96,7 @@ FAILS_TWICE = """book.failures = getattr(book, "failures", 0) + 1
 """An exception in the frame while the slider moves, and in the one when it rests."""
 
 
-def test_exception_in_a_scene_is_reported_and_the_retry_keeps_its_values(
-    visitor: Reader,
-) -> None:
+def test_exception_in_a_scene_is_reported_and_the_retry_keeps_its_values(visitor: Reader) -> None:
     figure, slider = harm(visitor, OF_A_SMALL_MOVE + FAILS_TWICE)
     slider.press("ArrowRight")
     kept = slider.input_value()
@@ -268,9 +266,7 @@ def faked(plain_reader: Reader) -> Iterator[FakeWorkerPage]:
     assert not raised
 
 
-def test_silent_worker_is_given_up_unless_it_may_be_at_work(
-    faked: FakeWorkerPage,
-) -> None:
+def test_silent_worker_is_given_up_unless_it_may_be_at_work(faked: FakeWorkerPage) -> None:
     page, clock = faked.page, faked.page.clock
     faked.begin()
     clock.run_for(58_000)

@@ -45,9 +45,7 @@ IN_LIBRARIES: dict[str, Any] = {
 
 
 @EACH
-def test_model_gives_the_expected_answer(
-    table: HardCases,
-) -> None:
+def test_model_gives_the_expected_answer(table: HardCases) -> None:
     rows = [(case.call, case.expected) for case in table.cases]
     for call, expected in (*rows, *KNOWN.get(table.id, {}).items()):
         got = answer(table, call)
@@ -60,9 +58,7 @@ def test_model_gives_the_expected_answer(
 
 
 @EACH
-def test_printed_case_has_a_naive_or_library_answer(
-    table: HardCases,
-) -> None:
+def test_printed_case_has_a_naive_or_library_answer(table: HardCases) -> None:
     """A case with neither belongs in ``known_values.toml``; a naive answer must be different."""
     for case in table.cases:
         assert case.naive or case.library, case.call

@@ -17,10 +17,7 @@ from scipy.spatial.transform import Rotation, Slerp
 from support.ladders import run_of
 
 from simulations.models.compression.blocks import LUMINANCE_TABLE
-from simulations.models.distortion.lens_model import (
-    Distortion,
-    distort,
-)
+from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.geometry.rotations import logarithm
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.chromatic_aberration import lateral_chromatic_scale

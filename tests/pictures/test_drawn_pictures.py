@@ -8,18 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from simulations.models.arrays import Floats
-from simulations.models.projection.pinhole import (
-    intrinsics,
-    look_at,
-    project,
-    world_to_camera,
-)
+from simulations.models.projection.pinhole import intrinsics, look_at, project, world_to_camera
 from simulations.pictures import spoked_wheel
 from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
 from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
-from simulations.pictures.patterns import (
-    stripes,
-)
+from simulations.pictures.patterns import stripes
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.world import furniture, room

@@ -123,9 +123,7 @@ FULL_WELL_E = photon_counting.Sensor().full_well_e
 
 
 @pytest.mark.parametrize("mean_e", [0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 3000.0, FULL_WELL_E])
-def test_shot_noise_passes_kolmogorov_smirnov_at_all_levels(
-    mean_e: float,
-) -> None:
+def test_shot_noise_passes_kolmogorov_smirnov_at_all_levels(mean_e: float) -> None:
     """From a tenth of an electron to the full well; compared below the well, where samples clip."""
     samples = photon_counting.shot_noise(
         np.full(40_000, mean_e), np.random.default_rng(15), FULL_WELL_E

@@ -18,12 +18,7 @@ from simulations.scenes.depth_of_field.scene import (
     drawn_f_number,
     parameters,
 )
-from simulations.scenes.depth_of_field.stages import (
-    FAR_M,
-    HEIGHT,
-    NEAR_M,
-    depth_of,
-)
+from simulations.scenes.depth_of_field.stages import FAR_M, HEIGHT, NEAR_M, depth_of
 from simulations.world.layers import LitScene
 
 

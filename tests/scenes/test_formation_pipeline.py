@@ -78,9 +78,7 @@ def test_marker_is_at_each_station_at_whole_numbers_and_never_jumps() -> None:
 
 
 @pytest.mark.parametrize("distance", [2.0, 4.0, 8.0])
-def test_sensor_tile_shows_the_paint_smaller_but_no_darker_from_afar(
-    distance: float,
-) -> None:
+def test_sensor_tile_shows_the_paint_smaller_but_no_darker_from_afar(distance: float) -> None:
     """The cell in the middle shows paint only; the disc covers its true number of cells."""
     journey = travel(distance, 0.6, 0)
     light = light_around(journey)

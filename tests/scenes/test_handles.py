@@ -165,9 +165,7 @@ def test_controls_stay_legal_wherever_the_pointer_goes(
 
 
 @pytest.mark.parametrize("scene", SCENES.values(), ids=name_of)
-def test_handles_belong_to_panels_and_lie_a_fingers_width_apart(
-    scene: Scene[Any],
-) -> None:
+def test_handles_belong_to_panels_and_lie_a_fingers_width_apart(scene: Scene[Any]) -> None:
     settings = scene.check({})
     outputs = Outputs(scene, settings)
     panels = scene.draw(settings, outputs).panels

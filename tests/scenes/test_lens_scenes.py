@@ -12,13 +12,7 @@ from simulations.pictures.balloon import balloon
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.scene import SCENE as ABERRATIONS
 from simulations.scenes.lens_aberrations.scene import passing
-from simulations.scenes.lens_aberrations.stages import (
-    FOCAL_PX,
-    LINES_UM,
-    WIDTH_UM,
-    bands,
-    light,
-)
+from simulations.scenes.lens_aberrations.stages import FOCAL_PX, LINES_UM, WIDTH_UM, bands, light
 from simulations.scenes.pinhole import SCENE as PINHOLE
 from simulations.scenes.real_lens.scene import SCENE as REAL_LENS
 from simulations.scenes.still_life import (

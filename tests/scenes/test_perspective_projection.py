@@ -45,9 +45,7 @@ def under_the_dot(**given: object) -> list[int]:
         )
     ],
 )
-def test_image_obeys_object_centred_projection_on_the_drawn_ray(
-    given: dict[str, float],
-) -> None:
+def test_image_obeys_object_centred_projection_on_the_drawn_ray(given: dict[str, float]) -> None:
     """The book's formula: a X / (1 + η (Z − Z₀)) with a = f / Z₀ and η = p / Z₀, Z₀ = 5 m."""
     share, Z, X = given["perspective"] / 100, given["depth"], given["point_x"]
     size = given["focal_length"] / 5 / (1 + share / 5 * (Z - 5))

@@ -9,11 +9,7 @@ from simulations.models.arrays import Floats, centred
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import Sensor
 from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
-from simulations.models.sensor.photon_transfer_frames import (
-    counted_pair,
-    read_pair,
-    unequal_cells,
-)
+from simulations.models.sensor.photon_transfer_frames import counted_pair, read_pair, unequal_cells
 from simulations.models.sensor.photon_transfer_pair import measure_pair
 
 type Pairs = list[NDArray[np.uint16]]

@@ -136,10 +136,7 @@ def _panel(raster: Any) -> Panel:
     [
         (lambda: Frame((PANEL, PANEL), (), "Shows."), "duplicate panel"),
         (lambda: Frame((PANEL,), (readout("x", "x", 1),) * 2, "Shows."), "duplicate readout"),
-        (
-            lambda: Frame(tuple(Panel(n, "", 4, 3, lead=True) for n in "ab"), (), "Two."),
-            "all lead",
-        ),
+        (lambda: Frame(tuple(Panel(n, "", 4, 3, lead=True) for n in "ab"), (), "Two."), "all lead"),
         (lambda: Frame((PANEL,), (), "  "), "description"),
         (lambda: Readout("x", "x", "1", role="Light blue"), "role 'Light blue'"),
         (lambda: _panel(np.zeros((4, 4, 3), np.uint8)), "legal: C-contiguous"),

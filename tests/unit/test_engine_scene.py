@@ -120,9 +120,7 @@ def test_stages_read_settings_tier_and_parameters(
     )
 
 
-def test_error_estimates_restart_with_other_settings(
-    use: Callable[..., Scene[Any]],
-) -> None:
+def test_error_estimates_restart_with_other_settings(use: Callable[..., Scene[Any]]) -> None:
     use(accuracy=Accuracy(estimate=estimate))
 
     def ask(size: int) -> Any:
@@ -136,9 +134,7 @@ def test_error_estimates_restart_with_other_settings(
     assert browser.error("figure-5", "s", "{}", "") == "null"
 
 
-def test_forgotten_figure_loses_only_its_cache(
-    use: Callable[..., Scene[Any]],
-) -> None:
+def test_forgotten_figure_loses_only_its_cache(use: Callable[..., Scene[Any]]) -> None:
     use(**SHADED, stages=STAGES)
     request = ("figure-1", "s", '{"size": 99}', "no such tier")
     reply = browser.render(*request)

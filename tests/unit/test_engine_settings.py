@@ -7,14 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simulations.engine.controls import (
-    Action,
-    Choice,
-    ControlError,
-    PointLists,
-    Slider,
-    Toggle,
-)
+from simulations.engine.controls import Action, Choice, ControlError, PointLists, Slider, Toggle
 from simulations.engine.settings import (
     action,
     check_settings,

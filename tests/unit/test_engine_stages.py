@@ -80,9 +80,7 @@ def test_neutral_stage_passes_its_input_on_and_reports_why() -> None:
 
 
 @given(st.lists(st.tuples(st.integers(1, 4), st.integers(1, 4)), max_size=12))
-def test_cache_changes_no_output_and_keeps_its_depth(
-    requested: list[tuple[int, int]],
-) -> None:
+def test_cache_changes_no_output_and_keeps_its_depth(requested: list[tuple[int, int]]) -> None:
     cache = StageCache(depth=2)
     for size, factor in requested:
         given_values = values(size=size, factor=factor)

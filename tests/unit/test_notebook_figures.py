@@ -82,9 +82,7 @@ def test_widgets_change_the_figure(demo: Callable[..., Figure]) -> None:
     assert shown.frame.description == "1 b True 2"
 
 
-def test_pictures_have_the_pixels_and_drawings_of_the_frame(
-    demo: Callable[..., Figure],
-) -> None:
+def test_pictures_have_the_pixels_and_drawings_of_the_frame(demo: Callable[..., Figure]) -> None:
     shown = demo(size=4)
     lead, plan = map(ElementTree.fromstring, shown.pictures)
     (image,) = lead.iter(f"{SVG}image")
@@ -102,9 +100,7 @@ def test_sound_of_a_frame_can_be_played(demo: Callable[..., Figure]) -> None:
         assert np.frombuffer(heard.readframes(9), "<i2").tolist() == [-16383] * 3
 
 
-def test_buttons_step_and_sweep_a_slider(
-    demo: Callable[..., Figure],
-) -> None:
+def test_buttons_step_and_sweep_a_slider(demo: Callable[..., Figure]) -> None:
     widgets = demo().widgets
     seen = []
     for _ in range(4):

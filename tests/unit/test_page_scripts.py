@@ -138,9 +138,7 @@ def test_mosaic_has_its_black_levels_and_no_margins(output: dict[str, Any]) -> N
     assert mosaic["about"] == {"colours": "BGGR", "black": [7, 21, 32, 41], "white": 99}
 
 
-def test_uniform_last_row_is_cut_off_unless_it_is_white(
-    output: dict[str, Any],
-) -> None:
+def test_uniform_last_row_is_cut_off_unless_it_is_white(output: dict[str, Any]) -> None:
     assert output["cutOff"] == [False, True, True, False, True]
 
 

@@ -5,10 +5,7 @@ import numpy as np
 import pytest
 from support.chequerboards import SIZE, TRUTH, calibrate, photographs
 
-from simulations.models.calibration.bundle_adjustment import (
-    Linearised,
-    linearise,
-)
+from simulations.models.calibration.bundle_adjustment import Linearised, linearise
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.simulated import Sitting
 from simulations.models.calibration.standard_errors import rms_of_each, uncertainty
@@ -92,10 +89,7 @@ def test_shift_of_corners_from_their_pinhole_images_gives_the_lens() -> None:
 @pytest.mark.parametrize("lens", ["none", "k3"])
 @pytest.mark.parametrize(
     "turns",
-    [
-        [(0.0, 0.0, 0.2 * i) for i in range(5)],
-        [(0.0, 0.6, 0.0)] * 5,
-    ],
+    [[(0.0, 0.0, 0.2 * i) for i in range(5)], [(0.0, 0.6, 0.0)] * 5],
     ids=["facing the camera", "all tilted alike"],
 )
 def test_parallel_boards_are_refused_with_the_advice_to_tilt(

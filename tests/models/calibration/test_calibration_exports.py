@@ -10,13 +10,7 @@ import pytest
 from support.chequerboards import SIZE, TRUTH, photographs
 
 from simulations.models.calibration.camera import Camera
-from simulations.models.calibration.exports import (
-    Maker,
-    Report,
-    as_json,
-    lensfun_xml,
-    opencv_yaml,
-)
+from simulations.models.calibration.exports import Maker, Report, as_json, lensfun_xml, opencv_yaml
 from simulations.models.calibration.undistorted import UNSEEN, undistorted
 from simulations.models.distortion.lens_model import Distortion
 
@@ -72,10 +66,7 @@ def lensfun_pixels(xml: str, ideal: np.ndarray) -> np.ndarray:
     width, height = SIZE[0] - 1, SIZE[1] - 1
     size = min(width, height)
     scale = 2.0 / size
-    middle = (
-        width / size + float(centre.get("x", "")),
-        height / size + float(centre.get("y", "")),
-    )
+    middle = (width / size + float(centre.get("x", "")), height / size + float(centre.get("y", "")))
     x, y = (ideal * scale - middle).T
     r2 = x * x + y * y
     factor = 1.0 + k1 * r2 + k2 * r2 * r2

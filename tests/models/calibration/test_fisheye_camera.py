@@ -81,10 +81,7 @@ def test_files_describe_the_fisheye() -> None:
     lens = ET.fromstring(lensfun_xml(report)).find("lens")
     assert lens is not None
     assert lens.findtext("type") == "fisheye"
-    (k1, k2), unit = (
-        lensfun_poly5(truth.camera, SIZE),
-        half_side_px(SIZE) / truth.camera.fx,
-    )
+    (k1, k2), unit = (lensfun_poly5(truth.camera, SIZE), half_side_px(SIZE) / truth.camera.fx)
     angle = np.linspace(0.1, 1.4, 9)
     theirs = 1 + k1 * (angle / unit) ** 2 + k2 * (angle / unit) ** 4
     assert theirs == pytest.approx(radial_profile.scale(LENS.radial, angle**2), abs=1e-3)

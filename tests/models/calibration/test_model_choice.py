@@ -10,11 +10,7 @@ from simulations.models.calibration.advice import Coverage, coverage, next_photo
 from simulations.models.calibration.bundle_adjustment import refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.left_out import growth, left_out_px
-from simulations.models.calibration.model_choice import (
-    compare,
-    compare_first,
-    supported,
-)
+from simulations.models.calibration.model_choice import compare, compare_first, supported
 from simulations.models.calibration.standard_errors import uncertainty
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.geometry import rotations
@@ -97,9 +93,7 @@ TANGENTIAL = PINHOLE + LENSES["p1p2"]
 
 
 @pytest.mark.parametrize("lens", ["k1k2", "p1p2", "k3"])
-def test_left_out_error_and_spread_agree_with_calibrations_without_a_photograph(
-    lens: str,
-) -> None:
+def test_left_out_error_and_spread_agree_with_recalibrations(lens: str) -> None:
     views, free = photographs(8, seed=4).views(0.1), PINHOLE + LENSES[lens]
     fit, found = calibrate(views, lens), []
     quick = left_out_px(views, fit, free)

@@ -15,14 +15,7 @@ from simulations.models.chequerboard.board import Board
 from simulations.models.chequerboard.board_search import NoBoardError
 from simulations.models.chequerboard.find_board import FoundBoard, find_board
 from simulations.models.error_measures import root_mean_square
-from simulations.pictures.chequerboard import (
-    Codes,
-    Glare,
-    Look,
-    View,
-    photograph_of,
-    true_corners,
-)
+from simulations.pictures.chequerboard import Codes, Glare, Look, View, photograph_of, true_corners
 
 BOARD = Board(10, 7, 25.0)
 NOISY = Look(noise_codes=1.0)

@@ -94,11 +94,7 @@ def test_srgb_table_takes_the_nearest_entry() -> None:
 
 
 def test_luma_and_chroma_of_the_primaries_agree_with_jfif() -> None:
-    expected = [
-        [0.299, -0.168736, 0.5],
-        [0.587, -0.331264, -0.418688],
-        [0.114, 0.5, -0.081312],
-    ]
+    expected = [[0.299, -0.168736, 0.5], [0.587, -0.331264, -0.418688], [0.114, 0.5, -0.081312]]
     np.testing.assert_allclose(ycbcr.rgb_to_ycbcr(np.eye(3)), expected, atol=1e-6)
     np.testing.assert_allclose(ycbcr.ycbcr_to_rgb(expected), np.eye(3), atol=5e-6)
 
@@ -126,8 +122,7 @@ def test_adaptation_in_rgb_is_white_balance() -> None:
     ours = cie.xyz_to_linear_rgb(adapt(COLOURS, ILLUMINANT_A_XY, D65_XY, "rgb"))
     np.testing.assert_allclose(ours, balanced, atol=1e-13)
     np.testing.assert_array_equal(
-        adapt(COLOURS, D65_XY, ILLUMINANT_A_XY),
-        adapt(COLOURS, D65_XY, ILLUMINANT_A_XY, "bradford"),
+        adapt(COLOURS, D65_XY, ILLUMINANT_A_XY), adapt(COLOURS, D65_XY, ILLUMINANT_A_XY, "bradford")
     )
 
 

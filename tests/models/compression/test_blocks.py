@@ -15,9 +15,7 @@ from simulations.models.arrays import Floats
 from simulations.models.compression import blocks as compression
 from simulations.models.compression import jpeg
 from simulations.models.compression.blocks import RANK, ZIGZAG, first_in_order
-from simulations.models.compression.cosine_transforms import (
-    exact_block_dct,
-)
+from simulations.models.compression.cosine_transforms import exact_block_dct
 from simulations.models.compression.entropy import run_symbols, size
 
 

@@ -13,9 +13,7 @@ from PIL import Image
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import blocks, jpeg
-from simulations.models.compression.chroma_subsampling import (
-    coarsen,
-)
+from simulations.models.compression.chroma_subsampling import coarsen
 from simulations.models.compression.chroma_upsampling import GRAIN_CODES, KERNELS, refine
 from simulations.pictures.balloon import balloon
 

@@ -14,11 +14,7 @@ from simulations.models.distortion.decentring import (
     stay_positive,
     undo_decentred,
 )
-from simulations.models.distortion.lens_model import (
-    Distortion,
-    distort,
-    undistort,
-)
+from simulations.models.distortion.lens_model import Distortion, distort, undistort
 from simulations.models.distortion.radial_profile import RadialProfile
 
 

@@ -14,9 +14,7 @@ from simulations.models.distortion.lens_model import (
     undistort,
     undistort_clamped,
 )
-from simulations.models.distortion.undistortion import (
-    INVERSES,
-)
+from simulations.models.distortion.undistortion import INVERSES
 
 POINTS = np.random.default_rng(1).uniform(-0.7, 0.7, (200, 2))
 

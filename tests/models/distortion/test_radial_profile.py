@@ -9,10 +9,7 @@ import pytest
 
 from simulations.models.arrays import Floats
 from simulations.models.distortion import cubic_inverse
-from simulations.models.distortion.lens_model import (
-    Distortion,
-    undistort,
-)
+from simulations.models.distortion.lens_model import Distortion, undistort
 from simulations.models.distortion.radial_inverse import invert_bracketed
 from simulations.models.distortion.radial_profile import (
     RadialProfile,
@@ -213,9 +210,7 @@ def images_up_to_99_percent(profile: RadialProfile) -> Floats:
 
 
 @pytest.mark.parametrize("name", LENSES)
-def test_inverse_is_precise_to_1e_9_px_within_99_percent_of_the_fold(
-    name: str,
-) -> None:
+def test_inverse_is_precise_to_1e_9_px_within_99_percent_of_the_fold(name: str) -> None:
     lens = LENSES[name]
     image_radius = images_up_to_99_percent(lens.radial)
     turn = np.linspace(0.0, 20.0, image_radius.size)

@@ -11,11 +11,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions, rotation_paths, rotations
-from simulations.models.geometry.quaternion_blends import (
-    BLENDS,
-    bisected_arc,
-    turn_between_rad,
-)
+from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 
 
 def wxyz(rotation: Rotation) -> Floats:

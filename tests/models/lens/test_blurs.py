@@ -11,16 +11,8 @@ from numpy.typing import NDArray
 from scipy import integrate, ndimage
 
 from simulations.models.arrays import Floats
-from simulations.models.lens.depth_of_field import (
-    Layer,
-    blur_by_depth,
-    composite,
-)
-from simulations.models.lens.disc_blur import (
-    NARROW_RADIUS,
-    disc_blur,
-    disc_kernel,
-)
+from simulations.models.lens.depth_of_field import Layer, blur_by_depth, composite
+from simulations.models.lens.disc_blur import NARROW_RADIUS, disc_blur, disc_kernel
 from simulations.models.lens.disc_pyramid import double, halve, pyramid_blur
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 

@@ -9,26 +9,9 @@ from numpy.typing import NDArray
 from scipy.integrate import dblquad
 
 from simulations.models.arrays import Floats
-from simulations.models.light.brdf import (
-    MODELS,
-    Material,
-    parts,
-    reflected,
-    sent_back,
-)
-from simulations.models.light.interreflection import (
-    CELLS,
-    SHAPE,
-    bounced,
-    edge_factor,
-    exchange,
-)
-from simulations.models.light.reflectance import (
-    PointLight,
-    blinn_phong,
-    irradiance,
-    phong,
-)
+from simulations.models.light.brdf import MODELS, Material, parts, reflected, sent_back
+from simulations.models.light.interreflection import CELLS, SHAPE, bounced, edge_factor, exchange
+from simulations.models.light.reflectance import PointLight, blinn_phong, irradiance, phong
 
 FRONT = np.array([0.0, 0.0, 1.0])
 

@@ -51,10 +51,7 @@ def test_ground_homography_agrees_with_projected_points() -> None:
 def test_heights_follow_from_the_horizon_in_the_picture(height: float) -> None:
     horizon, _ = vanishing.horizon(POSE[:3, 2], K)
     ratio, valid = height_by_horizon(
-        image(points_at(0.0)),
-        image(points_at(height)),
-        horizon,
-        K @ POSE[:3, 2],
+        image(points_at(0.0)), image(points_at(height)), horizon, K @ POSE[:3, 2]
     )
     assert valid.all()
     np.testing.assert_allclose(ratio * 1.7, height, rtol=1e-9)

@@ -4,29 +4,14 @@ import math
 
 import numpy as np
 import pytest
-from support.drawn_lines import (
-    CENTRE,
-    FOCAL,
-    HEIGHT,
-    SIZE,
-    above,
-    image_of,
-    lines_along_axes,
-)
+from support.drawn_lines import CENTRE, FOCAL, HEIGHT, SIZE, above, image_of, lines_along_axes
 
 from simulations.models.arrays import Floats
 from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import intrinsics
-from simulations.models.projection.single_view import (
-    SingleView,
-    fit_view,
-    focal_from_pair,
-)
+from simulations.models.projection.single_view import SingleView, fit_view, focal_from_pair
 from simulations.models.projection.single_view_lengths import Stretch, measured
-from simulations.models.projection.vanishing_lines import (
-    fit_vanishing_point,
-    pixel_of,
-)
+from simulations.models.projection.vanishing_lines import fit_vanishing_point, pixel_of
 
 POSE = pose_above_ground(1.5, 0.6, 0.3, 0.05)
 

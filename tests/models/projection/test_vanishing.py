@@ -9,10 +9,7 @@ from scipy.optimize import least_squares
 
 from simulations.models.arrays import Floats
 from simulations.models.projection import pinhole, vanishing
-from simulations.models.projection.vanishing_lines import (
-    fit_vanishing_point,
-    pixel_of,
-)
+from simulations.models.projection.vanishing_lines import fit_vanishing_point, pixel_of
 
 K = pinhole.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
 RNG = np.random.default_rng(2)

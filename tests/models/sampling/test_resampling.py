@@ -13,13 +13,7 @@ from simulations.models.arrays import Floats
 from simulations.models.sampling.bspline import coefficients
 from simulations.models.sampling.cubic_warp import cubic_warp, warp
 from simulations.models.sampling.magnification import magnify
-from simulations.models.sampling.resampling import (
-    KERNELS,
-    gather,
-    gather_table,
-    resize,
-    sample,
-)
+from simulations.models.sampling.resampling import KERNELS, gather, gather_table, resize, sample
 
 RNG = np.random.default_rng(3)
 PICTURE = RNG.random((40, 50)).astype(np.float32)
@@ -33,8 +27,7 @@ def test_bilinear_with_a_repeated_border_agrees_with_scipy() -> None:
 
 
 @pytest.mark.parametrize(
-    "outside",
-    [[-0.51, 3], [49.5, 3], [3, -0.51], [3, 39.5], [3, 1e300], [np.nan, 3], [-np.inf, 0]],
+    "outside", [[-0.51, 3], [49.5, 3], [3, -0.51], [3, 39.5], [3, 1e300], [np.nan, 3], [-np.inf, 0]]
 )
 def test_sample_off_the_picture_is_the_fill_value(outside: list[float]) -> None:
     colour = np.stack((PICTURE, 1 - PICTURE), -1)

@@ -23,10 +23,7 @@ from simulations.models.color.surfaces import CHART, chart_patch
 from simulations.models.sensor.bayer import filter_colours, red_position
 from simulations.models.sensor.camera_colour import camera_curves, exposed, fit_colour_matrix
 from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic
-from simulations.models.sensor.resolution import (
-    pixel_transfer,
-    plate_transfer,
-)
+from simulations.models.sensor.resolution import pixel_transfer, plate_transfer
 from simulations.models.sensor.shared_detail import shared_detail
 
 with warnings.catch_warnings():
