@@ -247,10 +247,12 @@ def room(number: int) -> tuple[Floats, Floats, Floats, tuple[Floats, ...]]:
     return pose, ends, axes, tuple(np.array(each) for each in ((a, b), (c, d), (a, above(a, 1.0))))
 
 
-def drawn_lines(rng: np.random.Generator, k1: float | None = None) -> Scores:
-    """Lines in one of ten rooms, with errors of their ends. The lens is ideal, or its ``k1`` is
-    found by edges, and the error of an end with it."""
-    lens = PictureLens(CENTRE, (FOCAL, FOCAL), Distortion(k1=k1 or 0.0))
+def drawn_lines(
+    rng: np.random.Generator, k1: float = 0.0, calibrated: tuple[float, float] | None = None
+) -> Scores:
+    """Lines in one of ten rooms, with errors of their ends. The lens is ideal; or its ``k1`` is
+    found by edges, and the error of an end with it; or it was calibrated to these errors."""
+    lens = PictureLens(CENTRE, (FOCAL, FOCAL), Distortion(k1=k1))
     pose, ends, axes, stretches = room(int(rng.integers(10)))
     known = lens
     if k1:
@@ -258,6 +260,10 @@ def drawn_lines(rng: np.random.Generator, k1: float | None = None) -> Scores:
         edges = [lens.bent(a + share * (b - a)) for a, b in ends]
         noisy = [each + rng.normal(0.0, 0.3, each.shape) for each in edges]
         known = lens_by_lines(noisy, unknown_lens(SIZE))
+    if calibrated:
+        unit = FOCAL * math.exp(calibrated[0] * rng.standard_normal())
+        x, y = rng.normal(CENTRE, calibrated[1]).tolist()
+        known = replace(lens, centre=(x, y), unit=(unit, unit), pinhole_errors=calibrated)
     images = np.array([image_of(each, pose) for each in stretches])
     drawn = (*(ends[axes == axis] for axis in range(3)), images[:2], images[2:])
     clicked = tuple(lens.bent(each) + rng.normal(0.0, 1.0, each.shape) for each in drawn)
@@ -267,7 +273,7 @@ def drawn_lines(rng: np.random.Generator, k1: float | None = None) -> Scores:
     true_known, true_length, _ = (math.dist(*each) for each in stretches)
     made, view = lengths_of(lines, found, true_known, "floor"), found.view
     assert view is not None
-    true = SingleView(FOCAL, CENTRE, pose[:3, :3], view.diagonal, np.zeros((7, 7)))
+    true = replace(view, focal_px=FOCAL, centre=CENTRE, R=pose[:3, :3])
 
     def angles(view: SingleView) -> Floats:
         return np.array((view.pitch, view.roll, field_of_view_rad(view.focal_px, 800)))
@@ -421,6 +427,20 @@ ROWS: dict[str, tuple[Callable[[np.random.Generator], Scores], int, dict[str, fl
             "k1 by edges": 0.89,
             "k1": 0.91,
             "vanishing point": 0.94,
+        },
+    ),
+    "lines behind a calibrated lens": (
+        partial(drawn_lines, calibrated=(0.01, 4.0)),
+        80,
+        {
+            "focal length": 1.03,
+            "pitch": 0.99,
+            "roll": 0.96,
+            "field of view": 1.03,
+            "length": 0.94,
+            "height": 0.96,
+            "distance": 1.11,
+            "vanishing point": 1.05,
         },
     ),
     "camera": (

@@ -20,8 +20,17 @@ from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.picture_lens import PictureLens
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.single_view.files import as_fspy, as_json
-from simulations.scenes.single_view.lines import AXES, EYE_M, FOCAL_PX, LISTS, ROOMS, SIZE, start_of
-from simulations.scenes.single_view.measuring import sheet
+from simulations.scenes.single_view.lines import (
+    AXES,
+    EYE_M,
+    FOCAL_PX,
+    LISTS,
+    ROOMS,
+    SIZE,
+    drawn_lines,
+    start_of,
+)
+from simulations.scenes.single_view.measuring import lens_of, sheet
 from simulations.scenes.single_view.scene import SCENE
 
 EMPTY = ";" * len(LISTS)
@@ -188,11 +197,52 @@ def test_lens_distortion_is_found_from_edges_or_taken_from_calibration() -> None
     assert found == pytest.approx(k1, abs=3 * off)
     camera = {"fx": FOCAL_PX, "fy": FOCAL_PX, "cx": 399.5, "cy": 299.5, "k1": k1}
     data = {"width": SIZE[0], "height": SIZE[1], "camera": camera}
+    settings = SCENE.check({"lines": lines, "calibration": "any"})
     done = SCENE.run(settings, "", StageCache(), photograph, (Reading(1, "lens", data),)).outputs
     assert done["lens"][1] == "calibrated on this page"
-    assert done["view"].view.focal_px == pytest.approx(FOCAL_PX, rel=0.03)
+    assert done["view"].view.focal_px == pytest.approx(FOCAL_PX, rel=0.01)
+    assert done["view"].focal_error <= 0.005  # of the calibration and of focus
     fspy = json.loads(as_fspy(settings, done))
     to_world = np.array(fspy["cameraTransform"]["rows"])
     np.testing.assert_allclose(to_world[:3, :3] @ to_world[:3, :3].T, np.eye(3), atol=1e-9)
     ray = to_world[:3, :3] @ (0.0, 0.0, -1.0)
     assert math.degrees(math.asin(-ray[2])) == pytest.approx(21.0, abs=1.0)  # it looks down
+
+
+ACME = {"make": "Acme", "model": "A1", "lens": "L", "focal_mm": 4.0}
+
+
+@pytest.mark.parametrize(
+    ("taken", "facts", "calibration", "size", "how"),
+    [
+        (ACME, ACME, "same", SIZE, "calibrated on this page"),
+        (ACME, ACME, "same", (3 * SIZE[0], 3 * SIZE[1]), "calibrated on this page"),
+        (ACME, ACME, "none", SIZE, "by the lines alone"),
+        (ACME, {**ACME, "make": "Other"}, "same", SIZE, "of another camera or lens"),
+        (ACME, {**ACME, "model": "A2"}, "same", SIZE, "of another camera or lens"),
+        (ACME, {**ACME, "lens": "M"}, "same", SIZE, "of another camera or lens"),
+        (ACME, {**ACME, "focal_mm": 5.0}, "same", SIZE, "of another focal length"),
+        (ACME, {}, "same", SIZE, "may be of another camera"),
+        ({}, ACME, "same", SIZE, "may be of another camera"),
+        ({}, {}, "any", SIZE, "calibrated on this page"),
+        (ACME, ACME, "any", (SIZE[1], SIZE[0]), "of pictures of another shape"),
+    ],
+)
+def test_calibration_is_used_for_photographs_of_the_same_camera_alone(
+    taken: dict[str, float | str],
+    facts: dict[str, float | str],
+    calibration: str,
+    size: tuple[int, int],
+    how: str,
+) -> None:
+    """Where the files do not name the camera, the reader decides."""
+    camera = {"fx": 500.0, "fy": 500.0, "cx": 399.5, "cy": 299.5, "k1": -0.1}
+    data = {"width": size[0], "height": size[1], "camera": camera, "taken": taken}
+    photograph = Photograph(1, np.full((*SIZE[::-1], 3), 90, np.uint8), "room.jpg", facts)
+    lines = drawn_lines("", "own", 1.0, 0, photograph)
+    reading = Reading(1, "lens", data)
+    lens, words = lens_of(photograph.codes, lines, calibration, (reading,), photograph)
+    assert how in words
+    assert (lens.pinhole_errors is not None) == (how == "calibrated on this page")
+    if lens.pinhole_errors and size == SIZE:
+        assert lens.unit == (500.0, 500.0)

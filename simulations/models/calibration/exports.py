@@ -10,7 +10,7 @@ Source: Lensfun, ``lensfun.h`` and ``modifier.cpp``.
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -37,6 +37,8 @@ class Report:
     poses: Poses
     photographs: Sequence[tuple[str, float]]
     """Name and RMS error in px of each, in the order of the poses."""
+    taken: Mapping[str, float | str] = field(default_factory=dict)
+    """Make, model, lens and focal length in mm by their files, if all agree."""
 
 
 def opencv_yaml(report: Report) -> str:
@@ -94,6 +96,7 @@ def as_json(report: Report) -> str:
             "camera": values | coefficients(camera.lens),
             "standard_errors": dict(report.errors),
             "rms_px": report.rms_px,
+            "taken": dict(report.taken),
             "photographs": [
                 {"name": name, "rms_px": rms, "rotation_vector": turn, "translation": shift}
                 for (name, rms), turn, shift in zip(report.photographs, turns, shifts, strict=True)

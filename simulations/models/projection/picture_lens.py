@@ -42,6 +42,9 @@ class PictureLens:
     distortion: Lens = NONE
     error: float = 0.0
     """Standard error of k₁; 0 if it is known."""
+    pinhole_errors: tuple[float, float] | None = None
+    """Of a calibrated lens, whose ``unit`` is the focal length and whose ``centre`` is the
+    principal point: standard errors of the former, as a share, and of the latter, in pixels."""
 
     def straight(self, pixels: Floats) -> Floats:
         """Where an ideal lens would put points (..., 2) of the picture."""

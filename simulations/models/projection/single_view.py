@@ -1,7 +1,8 @@
 """A camera from one picture: its focal length and its turn from lines along three axes.
 
 The axes are at right angles to each other: 0 to the right and 1 away, in the floor, and 2 upwards.
-The camera has square pixels. Its principal point is the middle of the picture, or is found too.
+The camera has square pixels. Its principal point is the middle of the picture, or is found too. Of
+a calibrated lens focal length and principal point are known, with their errors.
 
 All lines are fitted together: the axes' vanishing points are the columns of K R, so right angles
 hold by construction. Two directions and a fixed principal point leave nothing over, and the result
@@ -136,7 +137,8 @@ def fit_view(
     size : width and height of the picture, in pixels.
     sigma_px : standard deviation of an end in x and in y.
     find_centre : whether to find the principal point as well; else it is the picture's middle.
-    lens : what is known of its distortion. If k₁ has an error, it is found too.
+    lens : what is known of its distortion. If k₁ has an error, it is found too. A calibrated lens
+        has a focal length and a principal point, which the lines may move within their errors.
 
     Returns
     -------
@@ -157,11 +159,15 @@ def fit_view(
     require("lines along the axes", counts, (counts >= 2).sum() >= 2, "two for two axes")
     diagonal = math.hypot(*size)
     middle = ((size[0] - 1.0) / 2.0, (size[1] - 1.0) / 2.0)
+    foreknown, focal_error, centre_error = diagonal, FOREKNOWN, 0.0
+    if lens.pinhole_errors:
+        middle, foreknown = lens.centre, math.sqrt(lens.unit[0] * lens.unit[1])
+        focal_error, centre_error = lens.pinhole_errors
     points = {
         int(axis): fit_vanishing_point(lens.straight(ends[along == axis]))[0]
         for axis in np.flatnonzero(counts >= 2)
     }
-    free = [*range(6 if find_centre else 4), *([6] if lens.error else [])]
+    free = [*range(6 if find_centre or centre_error else 4), *([6] if lens.error else [])]
 
     along_each = ends[:, 1] - ends[:, 0]
     across = np.stack([-along_each[:, 1], along_each[:, 0]], axis=1)
@@ -179,8 +185,11 @@ def fit_view(
     def residuals(view: SingleView) -> tuple[Floats, Floats]:
         r, by_point = misses(view.lens, view.vanishing[along])
         J = _by_step(view, along, by_point)
-        known = [math.log(view.focal_px / diagonal) / FOREKNOWN]
-        by_known = [np.eye(1, 7)[0] / FOREKNOWN]
+        known = [math.log(view.focal_px / foreknown) / focal_error]
+        by_known = [np.eye(1, 7)[0] / focal_error]
+        if centre_error:
+            known += [(view.centre[k] - middle[k]) / centre_error for k in range(2)]
+            by_known += [*np.eye(2, 7, 4) * diagonal / centre_error]
         if lens.error:
             J[:, 6] = (misses(view.lens.moved(BEND), view.vanishing[along])[0] - r) / BEND
             known.append((view.lens.distortion.k1 - lens.distortion.k1) / lens.error)
@@ -201,7 +210,9 @@ def fit_view(
             covariance=np.zeros((7, 7)),
             lens=lens,
         )
-        for focal in _focal_lengths(points, middle, diagonal)
+        for focal in (
+            [foreknown] if lens.pinhole_errors else _focal_lengths(points, middle, diagonal)
+        )
     ]
     start = min(starts, key=lambda view: float((residuals(view)[0] ** 2).sum()))
     found = levenberg_marquardt(residuals, moved, start)
@@ -209,7 +220,14 @@ def fit_view(
     misfit = float(r[: len(ends)] @ r[: len(ends)])
     covariance = np.zeros((7, 7))
     covariance[np.ix_(free, free)] = _covariance(J)
-    spare = len(ends) - len(free) + bool(lens.error)  # what is known of k₁ counts for a line
+    # What is known of k₁, and of a calibrated lens, counts for as many lines.
+    spare = (
+        len(ends)
+        - len(free)
+        + bool(lens.error)
+        + bool(lens.pinhole_errors)
+        + 2 * bool(centre_error)
+    )
     return replace(_upright(found), covariance=covariance, misfit=misfit, spare=spare)
 
 

@@ -11,7 +11,7 @@ found with the side of its own squares as the unit of length.
 import math
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -62,6 +62,8 @@ class Boards:
     """Sentences on the photographs, for the reader."""
     focal_px: float | None = None
     """Focal length that the files state, as an equivalent on full frame."""
+    taken: Mapping[str, float | str] = field(default_factory=dict)
+    """What all files say of camera and lens: ``make``, ``model``, ``lens``, ``focal_mm``."""
 
     def without(self, number: int) -> "Boards":
         """All but the photograph of this number, counted from 1; all if there is none."""
@@ -134,6 +136,11 @@ def boards(readings: Readings) -> Boards:
         notes=tuple(_notes(len(readings) - count, count - len(kept), facts)),
         # by the diagonals of picture and full frame
         focal_px=float(stated) * math.hypot(*size) / FULL_FRAME_DIAGONAL_MM if stated else None,
+        taken={
+            name: facts[0][name]
+            for name in ("make", "model", "lens", "focal_mm")
+            if name in facts[0] and all(each.get(name) == facts[0][name] for each in facts)
+        },
     )
 
 

@@ -65,6 +65,7 @@ def _report(outputs: Outputs) -> Report:
         rms_px=trial.rms_px,
         poses=trial.fit.poses,
         photographs=tuple(zip(given.names, each, strict=False)),
+        taken=given.taken,
     )
 
 

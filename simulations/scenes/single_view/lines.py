@@ -25,6 +25,7 @@ LISTS = {
 UPRIGHT, FLOOR, HEIGHT = 2, 3, 4  # numbers of lists
 MOST = 6  # lines of a list
 PLANES = {"floor": "Floor", "along": "Wall along the room", "across": "Wall across it"}
+CALIBRATIONS = {"same": "If files name the same camera", "any": "Yes", "none": "No"}
 TAKES = 20
 OWN = "own"  # name of the reader's photograph among the pictures
 FIRST_SEED = 14  # of which the first draw is an ordinary one
@@ -50,6 +51,7 @@ class Settings:
     known: float = slider("Known length", 2.0, 0.05, 20.0, 0.01, unit="m")
     plane: str = choice("Plane of the lengths", PLANES)
     centre: bool = toggle("Find the principal point too")
+    calibration: str = choice("Use the lens calibrated on this page", CALIBRATIONS)
     take: int = action(*("Draw the lines anew",) * TAKES)
 
 

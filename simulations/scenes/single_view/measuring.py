@@ -38,6 +38,9 @@ NORMALS = {"floor": 2, "along": 0, "across": 1}
 """The axis at right angles to each plane."""
 SAID = 1.0  # lines that the error of an end, as said, counts for
 UNKNOWN = 0.3  # relative standard error from which a number counts as unknown
+FOCUS = 0.005
+"""Share by which the focal length differs between photographs of a board and of a room, as the
+lens is focused (standard deviation)."""
 NONE, MISSING = "none drawn", "lines missing"
 
 type Pair = tuple[float, float]
@@ -82,29 +85,55 @@ class Lengths:
 
 
 def lens_of(
-    photo: Codes, lines: Lines, readings: Readings, photograph: Photograph | None
+    photo: Codes, lines: Lines, calibration: str, readings: Readings, photograph: Photograph | None
 ) -> tuple[PictureLens, str]:
     """The lens, and how it is known: by calibration, or by the edges along the lines."""
     if photograph is None:
         return IDEAL, "without distortion"
-    for reading in readings:
-        if (lens := calibrated(reading.data, lines.size)) is not None:
-            return lens, "calibrated on this page"
+    why = ""
+    for reading in readings if calibration != "none" else ():
+        why = "" if calibration == "any" else other_camera(reading.data, photograph)
+        why = why or other_shape(reading.data, lines.size)
+        if not why:
+            return calibrated(reading.data, lines.size), "calibrated on this page"
     drawn = [ends for axis in range(3) for ends in lines.counted(axis)]
     followed = [points for ends in drawn if len(points := edge_points(photo, ends))]
     lens = lens_by_lines(followed, unknown_lens(lines.size))
-    return lens, f"by {len(followed)} edges that are straight" if followed else "by the lines alone"
+    how = f"by {len(followed)} edges that are straight" if followed else "by the lines alone"
+    return lens, f"{how}; {why}" if why else how
 
 
-def calibrated(data: Mapping[str, Any], size: tuple[int, int]) -> PictureLens | None:
-    """The lens of a calibration's file, if its photographs have the shape of this one."""
+def other_camera(data: Mapping[str, Any], photograph: Photograph) -> str:
+    """The reason why a calibration may be of another camera; empty if the files say that it is of
+    this one."""
+    taken, facts = data.get("taken", {}), photograph.facts
+    for name in ("make", "model", "lens", "focal_mm"):
+        ours, theirs = facts.get(name), taken.get(name)
+        if ours is not None and theirs is not None and ours != theirs:
+            what = "focal length" if name == "focal_mm" else "camera or lens"
+            return f"the calibrated one is of another {what}"
+    if not all(name in each for each in (taken, facts) for name in ("model", "focal_mm")):
+        return "the calibrated one may be of another camera: choose it if it is of this one"
+    return ""
+
+
+def other_shape(data: Mapping[str, Any], size: tuple[int, int]) -> str:
+    """The reason why a calibration's photographs are not this one at another scale, if so."""
+    off = abs(data["height"] * size[0] / data["width"] - size[1])
+    return "the calibrated one is of pictures of another shape" if off > 0.005 * size[1] else ""
+
+
+def calibrated(data: Mapping[str, Any], size: tuple[int, int]) -> PictureLens:
+    """The lens of a calibration's file, for a photograph of this size."""
     camera, scale = data["camera"], size[0] / data["width"]
-    if abs(data["height"] * scale - size[1]) > 0.005 * size[1]:
-        return None
     cx, cy = (scale * (camera[name] + 0.5) - 0.5 for name in ("cx", "cy"))
     kind = Fisheye if data.get("model") == "fisheye" else Distortion
     lens = kind(**{name: value for name, value in camera.items() if name not in PINHOLE})
-    return PictureLens((cx, cy), (scale * camera["fx"], scale * camera["fy"]), lens)
+    errors = data.get("standard_errors", {})
+    off = [errors.get(name, 0.0) for name in ("fx", "cx", "cy")]
+    known = math.hypot(off[0] / camera["fx"], FOCUS), scale * max(off[1:])
+    unit = scale * camera["fx"], scale * camera["fy"]
+    return PictureLens((cx, cy), unit, lens, pinhole_errors=known)
 
 
 def camera_of(
