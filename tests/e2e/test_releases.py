@@ -283,6 +283,25 @@ def test_browser_cache_is_used_first_and_retries_and_ranges_work(
     assert shown_release(tab, f"{host.url}other/") == "11"
 
 
+def test_lost_list_of_files_is_stored_again_once_the_network_is_back(
+    tab: ChromiumTab, host: StaticServer
+) -> None:
+    host.uncached = True
+    activate_release(tab, host.url)
+    tab.open(host.url)
+    tab.evaluate(FOR_EACH_FILE.replace("ACT", "if (/json/.test(key.url)) await cache.delete(key)"))
+    chromium = tab.page.context.new_cdp_session(tab.page)
+    chromium.send("ServiceWorker.enable")
+    chromium.send("ServiceWorker.stopAllWorkers")  # the next one knows no list
+    host.offline = True
+    assert shown_release(tab, host.url) == "-"
+    host.offline = False
+    assert shown_release(tab, host.url) == "11"
+    until(lambda: any("assets/1/" in text for text in tab.evaluate(STORED)))
+    host.offline = True
+    assert shown_release(tab, f"{host.url}other/") == "11"
+
+
 FETCH = """async ([name, options]) => {
   const reply = await fetch(`assets/1/${name}`, options);
   return [reply.status, await reply.text(), reply.headers.get('content-range')];

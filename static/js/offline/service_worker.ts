@@ -135,6 +135,7 @@ function filesOf(name: string): Promise<Files> {
   };
   const files = lists.get(name) ?? read();
   lists.set(name, files);
+  files.catch(() => lists.delete(name)); // a later request may find the network again
   return files;
 }
 
