@@ -101,9 +101,9 @@ async function decodeByBrowser(
   const stated = png ?? (await statedSize(file));
   if (stated) refuseSize(name, stated);
   const coded = png && measured ? await withoutColours(file) : file;
-  const bitmap = await createImageBitmap(coded, { imageOrientation: "from-image" }).catch(() => {
-    throw new Error(words(refusal, { file: name }));
-  });
+  const bitmap =
+    coded && (await createImageBitmap(coded, { imageOrientation: "from-image" }).catch(() => null));
+  if (!bitmap) throw new Error(words(refusal, { file: name }));
   try {
     refuseSize(name, bitmap);
   } catch (error) {
@@ -176,18 +176,26 @@ async function sizeOfPng(file: Blob) {
 /** Chunks of a PNG that say which light its codes mean (third edition, section 11.3.2). */
 const COLOURS = ["cHRM", "cICP", "gAMA", "iCCP", "sRGB"];
 
-/** A PNG whose codes arrive as they are: WebKit converts them even if asked not to. */
+/** Most bytes and chunks before the pixels of a PNG. */
+const MOST_BEFORE_PIXELS = 8 * 1024 * 1024;
+const MOST_CHUNKS = 1000;
+
+/**
+ * A PNG whose codes arrive as they are: WebKit converts them even if asked not to. Null where more
+ * than the limits stands before the pixels.
+ */
 async function withoutColours(file: Blob) {
+  const head = new DataView(await file.slice(0, MOST_BEFORE_PIXELS).arrayBuffer());
   const parts = [file.slice(0, 8)];
-  for (let at = 8; at < file.size; ) {
-    const head = await file.slice(at, at + 8).arrayBuffer();
-    const kind = new TextDecoder().decode(head.slice(4));
-    const isData = kind === "IDAT" || head.byteLength < 8;
-    const end = isData ? file.size : at + 12 + new DataView(head).getUint32(0);
+  let at = 8;
+  for (let chunk = 0; chunk < MOST_CHUNKS && at + 8 <= head.byteLength; chunk += 1) {
+    const kind = String.fromCharCode(...new Uint8Array(head.buffer, at + 4, 4));
+    const end = kind === "IDAT" ? file.size : at + 12 + head.getUint32(at);
     if (!COLOURS.includes(kind)) parts.push(file.slice(at, end));
+    if (kind === "IDAT") return new Blob(parts, { type: "image/png" });
     at = end;
   }
-  return new Blob(parts, { type: "image/png" });
+  return null;
 }
 
 function refuseSize(name: string, { width, height }: { width: number; height: number }) {
