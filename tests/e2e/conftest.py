@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Locator
+from playwright.sync_api import Browser, Locator, Page
 from support.page_scripts import SILENT_WORKER
 from support.reader import PHONE, Reader, visit
 from support.static_server import StaticServer, serving
@@ -32,6 +32,16 @@ def quiet_phone(telephone: Reader) -> Iterator[Reader]:
     telephone.reset(PHONE)
     yield telephone
     telephone.assert_no_errors()
+
+
+@pytest.fixture
+def tabs(baseline_chromium: Browser, site_server: StaticServer) -> Iterator[list[Page]]:
+    """Two tabs of one browser, in which Python never starts."""
+    with visit(baseline_chromium, site_server, SILENT_WORKER) as reader:
+        other = reader.page.context.new_page()
+        other.add_init_script(SILENT_WORKER)
+        yield [reader.page, other]
+        reader.assert_no_errors()
 
 
 @pytest.fixture

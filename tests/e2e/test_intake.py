@@ -2,17 +2,19 @@
 
 import io
 import struct
+import zlib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
-from playwright.sync_api import Dialog, expect
+from playwright.sync_api import Dialog, Page, expect
 from support.charts import gaussian_edge
 from support.instruments import PAGE, Instrument, png, write_files
 from support.limits import limit_ms
 from support.reader import Reader, step
+from support.static_server import StaticServer
 
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.stages import StageCache
@@ -37,7 +39,7 @@ def instrument(reader: Reader) -> Instrument:
 
 
 def edge_files(folder: Path) -> list[Path]:
-    """Two photographs, and four invalid files."""
+    """Two photographs, and five invalid files."""
     dot = png(np.zeros((1, 1, 3), np.uint8))
     huge = dot[:16] + struct.pack(">II", 20_000, 20_000) + dot[24:]
     heic = b"\0\0\0\x18ftypheic" + bytes(64)
@@ -46,6 +48,9 @@ def edge_files(folder: Path) -> list[Path]:
     Image.new("L", (8, 8)).save(bomb, "JPEG")
     few = bomb.getvalue().replace(struct.pack(">HH", 8, 8), struct.pack(">HH", 20_000, 20_001))
     broken = {"dot.png": dot, "phone.heic": heic, "huge.png": huge, "huge.jpg": few}
+    chunk = struct.pack(">I4sI", 0, b"teXt", zlib.crc32(b"teXt"))
+    soft = edges["soft.png"]
+    broken["chunks.png"] = soft[:33] + 300_000 * chunk + soft[33:]
     return write_files(folder, {**edges, **broken})
 
 
@@ -75,12 +80,13 @@ def test_photographs_are_measured_viewed_removed_refused_and_stored(
         expect(box.get_by_label("Keep on this device")).to_be_hidden()
     with step("the reader's files replace them, and invalid ones are refused with a reason"):
         instrument.add(files)  # replaces the samples
-        assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
+        assert instrument.states() == ["ready", "ready", *(5 * ["refused"])]
         expect(photographs.nth(2)).to_contain_text("it needs at least 16 each way")
         expect(photographs.nth(3)).to_contain_text("Use JPEG or PNG")
         expect(photographs.nth(4)).to_contain_text("20000")  # known before it is decoded
         expect(photographs.nth(5)).to_contain_text("20001")
-        expect(status).to_contain_text("4 are refused")
+        expect(photographs.nth(6)).to_contain_text("chunks.png")
+        expect(status).to_contain_text("5 are refused")
         expect(reader.page.locator(".data-sheet-files")).to_have_text("soft.png")
     with step("the data sheet has the results of CPython"):
         instrument.click(figure.get_by_role("button", name="Keep this place"))
@@ -126,14 +132,14 @@ def test_photographs_are_measured_viewed_removed_refused_and_stored(
         instrument.add(files)
         keep = box.get_by_label("Keep on this device")
         keep.check()
-        wait_stored(reader, 6)
+        wait_stored(reader.page, 7)
         reader.open(PAGE)
-        expect(photographs).to_have_count(6)
-        assert instrument.states() == ["ready", "ready", *(4 * ["refused"])]
+        expect(photographs).to_have_count(7)
+        assert instrument.states() == ["ready", "ready", *(5 * ["refused"])]
         expect(instrument.readout("per_px")).to_have_text(soft)
     with step("without storage, leaving needs a confirmation and discards the photographs"):
         keep.uncheck()
-        wait_stored(reader, 0)
+        wait_stored(reader.page, 0)
         dialogs = list[str]()
 
         def leave(dialog: Dialog) -> None:
@@ -151,9 +157,40 @@ def test_photographs_are_measured_viewed_removed_refused_and_stored(
         instrument.give(many[:1])
         expect(photographs).to_have_attribute("data-state", "reading")
         keep.check()
-        wait_stored(reader, 1)
+        wait_stored(reader.page, 1)
         reader.open(PAGE)
         expect(photographs).to_have_attribute("data-state", "ready")
+
+
+def test_photographs_and_settings_of_two_tabs_are_stored_together(
+    tabs: list[Page], site_server: StaticServer, tmp_path: Path
+) -> None:
+    for tab in tabs:
+        tab.goto(site_server.url + PAGE)
+    files = write_files(tmp_path, {name: png(codes) for name, codes in EDGES.items()})
+    boxes = [tab.locator(f"figure:has({SLANTED}) .intake") for tab in tabs]
+    for box, file in zip(boxes, files, strict=True):
+        box.locator("input[type=file]").set_input_files(file)
+        expect(box.locator(".intake-photo")).to_have_count(1)
+    wait_stored(tabs[0], 2)
+    for tab, name, value in zip(tabs, ("aperture", "pitch"), (11, 5), strict=True):
+        tab.locator(SLANTED).evaluate(PAINTED_AT, [name, value])
+    stored = tabs[0].evaluate(SESSION)
+    assert (stored["aperture"], stored["pitch"]) == (11, 5)
+    boxes[1].locator(".intake-remove").click()
+    wait_stored(tabs[0], 1)
+    assert tabs[0].evaluate(SESSION) == stored
+    boxes[1].get_by_label("Keep on this device").evaluate("(box) => box.click()")
+    wait_stored(tabs[0], 0)
+    assert tabs[0].evaluate(SESSION) is None
+
+
+SLANTED = "simulation-figure[data-simulation=slanted-edge]"
+PAINTED_AT = """(figure, [name, value]) => {
+  figure.querySelector(`[name=${name}]`).value = value;
+  figure.dispatchEvent(new Event('painted'));
+}"""
+SESSION = "() => JSON.parse(localStorage['image-formation:instrument:slanted-edge'] ?? 'null')"
 
 
 DELAY_OPENING = """() => {
@@ -167,9 +204,9 @@ DELAY_OPENING = """() => {
 """The browser opens no picture before `open_pictures()` is called."""
 
 
-def wait_stored(reader: Reader, count: int) -> None:
+def wait_stored(page: Page, count: int) -> None:
     """Wait until the browser stores this number of photographs."""
-    assert reader.page.evaluate(IS_STORED, [count, limit_ms()])
+    assert page.evaluate(IS_STORED, [count, limit_ms()])
 
 
 IS_STORED = """async ([count, ms]) => {

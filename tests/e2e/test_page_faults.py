@@ -101,6 +101,28 @@ def test_answer_in_one_tab_appears_in_another_and_overwrites_nothing(
     assert submitted(one) == "0", "the last one"
 
 
+def test_edits_of_one_figure_in_two_tabs_are_stored_together(
+    tabs: list[Page], site_server: StaticServer
+) -> None:
+    for tab in tabs:
+        tab.goto(f"{site_server.url}lens-distortion/")
+    figures = [tab.locator("#figure-lens-distortion simulation-figure") for tab in tabs]
+    for figure in figures:
+        figure.locator(".open-python").click()
+    for tab, figure, part in zip(tabs, figures, ("encoded", "pinhole"), strict=True):
+        figure.locator(".workshop-part", has_text=part).first.click()
+        figure.locator(".cm-content").click()
+        tab.keyboard.insert_text("# mine\n")
+        figure.locator(f".workshop-part[data-edited]:has-text('{part}')").wait_for()
+    stored = "() => Object.keys(JSON.parse(localStorage[EDITS] ?? '{}').edits ?? {}).length"
+    stored = stored.replace(
+        "EDITS", "'image-formation:python:lens-distortion/#figure-lens-distortion'"
+    )
+    assert tabs[0].evaluate(stored) == 2
+    figures[0].locator(".put-back").click()
+    assert tabs[0].evaluate(stored) == 1
+
+
 def test_page_stays_while_the_host_is_down_and_turns_once_it_is_back(
     plain_reader: Reader, server: StaticServer, chapter: str
 ) -> None:

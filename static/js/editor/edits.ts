@@ -11,19 +11,17 @@ type Edit = { text: string; original: string };
 
 type Stored = { runs: boolean; edits: Record<string, Edit> };
 
+/** All state is in storage, so that two tabs with one figure add to each other's edits. */
 export class Edits {
-  /** Whether the figure is drawn by these texts, as they are. */
-  runs = false;
-
-  readonly entries: Map<string, Edit>;
-
-  /** @param name Under which they are kept. */
+  /** @param name Key in storage. */
   constructor(
     readonly name: string,
     readonly sources: Sources,
-  ) {
-    const stored: Stored | null = loadItem(name);
-    this.entries = new Map(Object.entries(stored?.edits ?? {}));
+  ) {}
+
+  /** Edits by definition, those that no longer fit included. */
+  get entries(): Map<string, Edit> {
+    return new Map(Object.entries(this.#stored.edits));
   }
 
   /**
@@ -52,26 +50,30 @@ export class Edits {
   /** The reader has written; the book's own words are no edit. */
   set(key: string, text: string) {
     const { text: book, hash } = this.sources.definitions[key];
-    if (text === book) this.entries.delete(key);
-    else this.entries.set(key, { text, original: hash });
-    this.runs = false;
-    this.save();
+    const entries = this.entries;
+    if (text === book) entries.delete(key);
+    else entries.set(key, { text, original: hash });
+    this.#save(entries, false);
   }
 
   /** @param key Of the edit to forget; all where it is left out. */
   remove(key?: string) {
-    if (key === undefined) this.entries.clear();
-    else this.entries.delete(key);
-    this.save();
+    const entries = this.entries;
+    if (key === undefined) entries.clear();
+    else entries.delete(key);
+    this.#save(entries, this.#stored.runs);
   }
 
+  /** @param runs Whether the figure is drawn by these texts, as they are. */
   setRuns(runs: boolean) {
-    this.runs = runs;
-    this.save();
+    this.#save(this.entries, runs);
   }
 
-  save() {
-    const stored = { runs: this.runs, edits: Object.fromEntries(this.entries) };
-    saveItem(this.name, this.entries.size > 0 ? stored : null);
+  get #stored(): Stored {
+    return loadItem(this.name) ?? { runs: false, edits: {} };
+  }
+
+  #save(entries: Map<string, Edit>, runs: boolean) {
+    saveItem(this.name, entries.size > 0 ? { runs, edits: Object.fromEntries(entries) } : null);
   }
 }

@@ -90,7 +90,7 @@ export class Instrument {
         this.#remark = words("instrument.twice", { name: file.name });
       else
         this.#addPhoto({
-          id: `${Date.now()}-${nextPictureNumber()}`,
+          id: `${Date.now()}-${Math.random()}`,
           name: file.name,
           file,
           ...NEW_PHOTO,
@@ -151,9 +151,8 @@ export class Instrument {
     this.photos = this.photos.filter((photo) => !photos.includes(photo));
     for (const photo of photos) this.list.remove(photo);
     if (this.chosen && photos.includes(this.chosen)) this.chosen = null;
-    if (this.#readerPhotos.length === 0) saveItem(sessionKey(this.scene), null);
     if (this.#isKeeping && photos.length > 0)
-      deletePhotos(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
+      this.#delete(photos).catch(() => this.#stopKeeping(words("instrument.not_kept")));
     if (photos.some(({ state }) => state === "reading")) this.#reader.close();
     this.#updateFigure();
   }
@@ -166,8 +165,7 @@ export class Instrument {
       saveSession(this.scene, this.figure);
       await this.#save(this.photos);
     } else {
-      saveItem(sessionKey(this.scene), null);
-      await deletePhotos(this.photos).catch(() => {}); // there are none
+      await this.#delete().catch(() => {}); // there are none
     }
     this.#showProgress();
   }
@@ -254,6 +252,7 @@ export class Instrument {
 
   async #save(photos: Photo[]) {
     const readerPhotos = photos.filter(({ isSample }) => !isSample);
+    if (this.#isKeeping && loadItem(KEEP_KEY) === false) this.#stopKeeping(""); // by another tab
     if (!this.#isKeeping || readerPhotos.length === 0) return;
     try {
       await savePhotos(this.scene, readerPhotos, this.photos);
@@ -261,6 +260,11 @@ export class Instrument {
       const isFull = error instanceof DOMException && error.name === "QuotaExceededError";
       this.#stopKeeping(isFull ? words("instrument.full") : words("instrument.not_kept"));
     }
+  }
+
+  /** Delete stored photographs, by default all; the settings too, once no tab has any. */
+  async #delete(photos?: Photo[]) {
+    if ((await deletePhotos(this.scene, photos)) === 0) saveItem(sessionKey(this.scene), null);
   }
 
   #stopKeeping(why: string) {

@@ -4,7 +4,7 @@
  */
 
 import { STORAGE } from "../book.js";
-import { isAddressed, moveControls, readValues } from "../figure/controls.ts";
+import { isAddressed, moveControls, readValues, type Value } from "../figure/controls.ts";
 import { KINDS } from "../figure/control_kinds.js";
 import type { SimulationFigure } from "../figure/element.ts";
 import { settingsOf } from "../figure/permalink.ts";
@@ -70,10 +70,15 @@ export async function savePhotos(scene: string, photos: Photo[], all: Photo[]) {
   });
 }
 
-export async function deletePhotos(photos: Photo[]) {
-  await inStore("readwrite", (store) => {
-    for (const { id } of photos) store.delete(id);
-    return store.count();
+/**
+ * @param photos To delete; all of the scene, other tabs' included, where they are left out.
+ * @returns How many of the scene are left.
+ */
+export async function deletePhotos(scene: string, photos?: Photo[]): Promise<number> {
+  const all = await inStore("readonly", (store) => store.index("scene").getAllKeys(scene));
+  return await inStore("readwrite", (store) => {
+    for (const id of photos?.map(({ id }) => id) ?? all) store.delete(id);
+    return store.index("scene").count(scene);
   });
 }
 
@@ -107,9 +112,21 @@ function openDatabase(): Promise<IDBDatabase> {
   });
 }
 
+/** The values of each figure that were stored last. */
+const saved: WeakMap<SimulationFigure, Record<string, Value>> = new WeakMap();
+
+/** Store the settings of a figure; of those that it has not changed, another tab's stay. */
 export function saveSession(scene: string, figure: SimulationFigure) {
-  const { form, controls } = settingsOf(figure);
-  saveItem(sessionKey(scene), readValues(form, controls));
+  const { form, controls, start } = settingsOf(figure);
+  const values = readValues(form, controls);
+  const before = saved.get(figure) ?? start;
+  const changed = Object.entries(values).filter(([name, value]) => value !== before[name]);
+  saveItem(sessionKey(scene), {
+    ...values,
+    ...loadItem(sessionKey(scene)),
+    ...Object.fromEntries(changed),
+  });
+  saved.set(figure, values);
 }
 
 /** Put a figure to the settings that were kept, unless the address of its page has some. */
@@ -122,4 +139,5 @@ export function restoreSession(scene: string, figure: SimulationFigure) {
   });
   const legal = Object.fromEntries(values.filter(([, value]) => value !== undefined));
   moveControls(form, controls, legal, "change");
+  saved.set(figure, readValues(form, controls));
 }

@@ -70,8 +70,10 @@ export function loadItem(key: string): any {
 /** Remember `value` under `key`; null forgets. */
 export function saveItem(key: string, value: unknown) {
   try {
+    const text = JSON.stringify(value);
     if (value === null) localStorage.removeItem(STORAGE + key);
-    else localStorage.setItem(STORAGE + key, JSON.stringify(value));
+    else if (text.length > LONGEST) throw new Error("too long to be loaded again");
+    else localStorage.setItem(STORAGE + key, text);
     unstored.delete(key);
   } catch {
     unstored.set(key, value);
