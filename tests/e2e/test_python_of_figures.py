@@ -200,6 +200,7 @@ def test_mistakes_point_at_their_line_and_edits_survive_a_reload(
         assert changed["drawings"] != book["drawings"]
 
     with step("the edits are there after a reload, and can be downloaded"):
+        page.wait_for_function(RUNS)  # once the page has answered for some seconds
         shop.reader.open(CHAPTER)
         expect(shop.state).to_contain_text("runs your code")
         assert shop.content() == changed
@@ -230,6 +231,8 @@ IN_VIEW = """(element) => {
   const met = (y) => document.elementFromPoint(left + Math.min(20, width / 2), y);
   return [top + 4, bottom - 4].every((y) => element.contains(met(y)));
 }"""
+RUNS = """() => Object.entries(localStorage)
+  .some(([key, value]) => key.includes('python:') && JSON.parse(value).runs)"""
 THE_BOOK_CHANGES = """() => {
   const key = Object.keys(localStorage).find((key) => key.includes('python:'));
   const kept = JSON.parse(localStorage.getItem(key));

@@ -66,7 +66,7 @@ export class Edits {
 
   /** @param runs Whether the figure is drawn by these texts, as they are. */
   setRuns(runs: boolean) {
-    this.#save(this.entries, runs);
+    if (runs !== this.#stored.runs) this.#save(this.entries, runs);
   }
 
   get #stored(): Stored {

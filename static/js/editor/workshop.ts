@@ -20,6 +20,10 @@ export class Workshop {
   #edits: Promise<Edits> | null = null;
   #opening = false;
   #running = false;
+  /** The edits that draw the figure, as JSON. */
+  #ran = "";
+  /** Counts the frames by edited code. */
+  #trial = 0;
   #showStages = () => this.#panel?.showStages(this.live?.stages ?? []);
 
   readonly scene: string;
@@ -87,6 +91,7 @@ export class Workshop {
   }
 
   leave() {
+    this.#trial += 1;
     this.figure.removeEventListener("painted", this.#showStages);
     this.#panel?.leave();
     this.#panel = null;
@@ -164,9 +169,8 @@ export class Workshop {
     try {
       const request = this.live.request();
       this.edited.adopt(json, request, await this.edited.draw(request, json));
+      this.#ran = json;
       this.live.drawnBy(this.edited);
-      await painted(); // a drawing that freezes the page must not come back with each visit
-      edits.setRuns(edits.json === json);
     } catch (error) {
       if (this.#running) this.#showFailure(error); // else the reader stopped it
     } finally {
@@ -223,7 +227,25 @@ export class Workshop {
   async #showDrawn(printed: string) {
     this.#panel?.print(printed);
     this.#report(words("workshop.runs"));
-    this.#showState(await this.#loadEdits());
+    const edits = await this.#loadEdits();
+    this.#showState(edits);
+    await this.#confirm(edits);
+  }
+
+  /**
+   * Store that the code runs, once the page has answered for some seconds after its last frame: a
+   * drawing that freezes the page must not come back with each visit.
+   */
+  async #confirm(edits: Edits) {
+    const trial = ++this.#trial;
+    edits.setRuns(false);
+    for (let steps = 0; steps < TRIAL.steps && trial === this.#trial; ) {
+      const begun = performance.now();
+      await new Promise((resolve) => setTimeout(resolve, TRIAL.stepMs));
+      steps = performance.now() - begun < TRIAL.pauseMs ? steps + 1 : 0;
+    }
+    const isSame = trial === this.#trial && this.#isEdited && edits.json === this.#ran;
+    if (isSame) edits.setRuns(true);
   }
 
   /** Edited code did not end while the reader used the figure: the book's draws it again. */
@@ -266,7 +288,5 @@ function unplaced(text: string): Problem {
   return { message: text, definition: "", line: 0 };
 }
 
-/** When the browser has painted what the page shows now. */
-function painted() {
-  return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-}
+/** Steps in which the page must answer before code counts as running; a longer pause begins anew. */
+const TRIAL = { steps: 12, stepMs: 250, pauseMs: 1000 };

@@ -13,14 +13,24 @@ const scratch = document.implementation
   .createElementNS("http://www.w3.org/2000/svg", "svg");
 
 /**
- * What a drawing by a reader's Python may not hold: what leads or reaches elsewhere, styles of the whole
- * page, and copies, of which a few that hold each other are too many to draw.
+ * Elements and attributes of drawings: those that scenes draw (`simulations/engine/drafting.py`). None
+ * refers to another element, to an address or to a style sheet, so that a drawing by a reader's Python
+ * sends no request and takes no longer to paint than its elements do.
  */
-const ACTIVE =
-  "script, style, use, foreignObject, a, set, animate, animateMotion, animateTransform";
-/** Paint made of shapes: where it is made of such paint itself, a few letters are too much to draw. */
-const PAINT = "pattern, mask, clipPath, marker";
-const REACHING = `${ACTIVE}, [*|href]:not([*|href^="#"], [*|href^="data:image/"])`;
+const ELEMENTS = new Set(
+  "g path line polyline polygon rect circle ellipse text tspan image".split(" "),
+);
+const ATTRIBUTES = new Set(
+  `class color fill fill-opacity stroke stroke-opacity stroke-width opacity transform d points x y x1 y1
+  x2 y2 cx cy r rx ry width height dx dy text-anchor preserveAspectRatio href data-estimate`.split(
+    /\s+/,
+  ),
+);
+/** In a value: an escape of CSS, or a function that is neither a transformation nor a colour. */
+const FORBIDDEN = /\\|(?<!\b(?:translate|rotate|scale|skewX|skewY|matrix|rgba?|hsla?))\(/i;
+const RASTER = /^data:image\/(?:png|jpeg|webp|gif)[;,]/;
+/** Scenes draw some hundreds. */
+const MOST_ELEMENTS = 20_000;
 
 /** A panel's drawing. */
 export class Overlay {
@@ -32,24 +42,26 @@ export class Overlay {
   show(markup: string) {
     if (markup === this.#shown) return;
     scratch.innerHTML = markup;
-    removeActive(scratch, markup);
+    removeForbidden(scratch);
     changeChildren(this.svg, scratch);
     scratch.replaceChildren();
     this.#shown = markup;
   }
 }
 
-/** Leave shapes, text and paint. */
-function removeActive(drawing: Element, markup: string) {
-  const mayHandle = /\bon\w/i.test(markup);
+/** Leave the elements, attributes and values that a drawing may have. */
+function removeForbidden(drawing: Element) {
+  let count = 0;
   for (const element of drawing.querySelectorAll("*")) {
-    const nested = element.matches(PAINT) && element.outerHTML.includes("url(");
-    if (nested || element.namespaceURI !== drawing.namespaceURI || element.matches(REACHING)) {
+    const isDrawn =
+      ELEMENTS.has(element.localName) && element.namespaceURI === drawing.namespaceURI;
+    if (!isDrawn || ++count > MOST_ELEMENTS) {
       element.remove();
-    } else if (mayHandle) {
-      for (const name of element.getAttributeNames()) {
-        if (/^on/i.test(name)) element.removeAttribute(name);
-      }
+      continue;
+    }
+    for (const { name, value } of [...element.attributes]) {
+      const isValid = name === "href" ? RASTER.test(value) : !FORBIDDEN.test(value);
+      if (!ATTRIBUTES.has(name) || !isValid) element.removeAttribute(name);
     }
   }
 }
