@@ -151,9 +151,21 @@ EDIT = f"""def _encoded(photo):
             parts = [part for part in parts if isinstance(part, JsProxy)]
             found += [name] if parts and name in {HIDDEN.split()!r} else []
             queue += parts
-    print("found:", found, seen.size > 300)
+    natives = [(js.Array, js.Symbol.iterator), (js.RegExp, "exec"), (js.Promise, "then"),
+        (js.Map, "get"), (js.Object, "chunk"), (js.String, "slice")]
+    replaced = [js.Reflect.set(of.prototype, key, js.Math.abs) for of, key in natives]
+    replaced += [js.Reflect.set(js, name, None) for name in ("Array", "Uint8Array", "Promise")]
+    print("found:", found, seen.size > 300, any(replaced))
     return to_rgba8(encode_srgb_table(photo.linear))
 """
+IMPORTS = """def _encoded(photo):
+    import numpy.random, wave
+    print(numpy.random.default_rng(1).integers(8, 9))
+    return to_rgba8(encode_srgb_table(photo.linear))
+"""
+"""Imports that no scene has."""
+REQUESTED = """() => performance.getEntriesByType('resource')
+  .some(({name}) => name.endsWith('/numpy-random.zip'))"""
 RUN = """async (...sources) => {
   const {internals} = await customElements.whenDefined('simulation-figure');
   const {Runtime, startConfinedWorker} = internals;
@@ -177,9 +189,13 @@ def test_edited_python_finds_no_way_to_another_host_or_to_storage(
 ) -> None:
     with window(name, chromium, tmp_path) as tab:
         tab.open(site_server.url + CHAPTER)
-        ((problem, printed),) = tab.evaluate(RUN, EDIT.replace("ADDRESS", other_host.address))
+        attack = EDIT.replace("ADDRESS", other_host.address)
+        (problem, printed), fetched = tab.evaluate(RUN, attack, IMPORTS)
+        requested = tab.evaluate(REQUESTED)
     assert problem is None, json.dumps(problem)
-    assert printed == "found: [] True\n"
+    assert printed == "found: [] True False\n"
+    assert fetched == [None, "8\n"]
+    assert requested, "by the page, for a worker that may fetch nothing"
     assert other_host.requests() == []
 
 

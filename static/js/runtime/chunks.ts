@@ -39,6 +39,10 @@ export class Chunks {
   later: string[] = [];
   /** Why Python's last import of a module failed. */
   missed: LoadError | null = null;
+  /** Chunks that Python's imports lacked, where a worker can fetch none at once. */
+  lacking: string[] = [];
+  /** Has the page fetch a chunk, for a worker that may fetch nothing itself. */
+  fetchByPage: ((name: string) => Promise<ArrayBuffer>) | null = null;
 
   /** @param url The runtime's folder. */
   constructor(
@@ -74,9 +78,7 @@ export class Chunks {
   prefetch(names: string[]) {
     for (const name of names) {
       if (this.#present.has(name) || this.#arriving.has(name)) continue;
-      const arriving = this.reply(`${name}.zip`).then(async (reply) => {
-        return new Uint8Array(await reply.arrayBuffer());
-      });
+      const arriving = this.#fetch(name).then((archive) => new Uint8Array(archive));
       arriving.catch(() => {}); // reported to whoever needs it
       this.#arriving.set(name, arriving);
     }
@@ -117,18 +119,29 @@ export class Chunks {
   }
 
   /**
-   * Fetch and unpack a chunk at once: Python is in the midst of importing from it.
+   * Fetch and unpack a chunk at once: Python is in the midst of importing from it. Where only the page
+   * fetches, the chunk is noted as lacking.
    *
    * @throws {LoadError} Also kept in `missed`, as Python reports an error of its own.
    */
   fetchSynchronously(name: string) {
-    if (this.#present.has(name) || !hasOwn(this.table.integrity, `${name}.zip`)) return;
+    if (typeof name !== "string" || this.#present.has(name)) return;
+    if (!hasOwn(this.table.integrity, `${name}.zip`)) return;
+    if (this.fetchByPage) {
+      this.lacking.push(name);
+      throw new LoadError("network", `${name}.zip`);
+    }
     try {
       this.#unpack(name, loadSynchronously(`${this.url}${name}.zip`));
     } catch (error) {
       this.missed = error instanceof LoadError ? error : new LoadError("other", `${name}.zip`);
       throw this.missed;
     }
+  }
+
+  async #fetch(name: string) {
+    if (this.fetchByPage) return await this.fetchByPage(name);
+    return await (await this.reply(`${name}.zip`)).arrayBuffer();
   }
 
   #unpack(name: string, archive: Uint8Array) {

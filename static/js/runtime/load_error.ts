@@ -60,6 +60,20 @@ export async function fetchWhole(
   throw await findLoadError(url);
 }
 
+/**
+ * A chunk for a worker that may fetch nothing itself: one that `runtime.json` lists.
+ *
+ * @param url The runtime's folder.
+ * @param integrity Hash of its table, as the page knows it.
+ * @throws {LoadError}
+ */
+export async function fetchListed(url: string, name: string, integrity?: string) {
+  const { integrity: hashes } = await (await fetchWhole(`${url}runtime.json`, integrity)).json();
+  const file = `${name}.zip`;
+  if (!Object.hasOwn(hashes, file)) throw new LoadError("other", file);
+  return await (await fetchWhole(url + file, hashes[file])).arrayBuffer();
+}
+
 /** The reply, once all of it is there. */
 async function fetchOnce(url: string, options: RequestInit) {
   const reply = checkReply(await fetchFile(url, options));

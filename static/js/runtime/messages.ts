@@ -2,7 +2,8 @@
  * The calls of the worker, each a row of one table, which the page and the worker share.
  * A request is `{id, call, ...}`; its answer `{id, ok: true, ...}` or `{id, ok: false, error, fatal,
  * loadError}`. Before that the worker sends `{id, waits}` when the request has arrived, and each second
- * in which it waits for a file, with the file's name.
+ * in which it waits for a file, with the file's name. A worker that may fetch nothing itself sends
+ * `{id, wants}` with the name of a chunk, and gets `{chunk, archive}` or `{chunk, loadError}`.
  */
 
 import { copyArray, copyEdited, copyFrame } from "./transfer.ts";
@@ -235,13 +236,15 @@ export type CallName = keyof typeof CALLS;
 /** What the worker sends, once it is checked. */
 export type Signal =
   | { id: number; waits: string }
+  | { id: number; wants: string }
   | { id: number; ok: true }
   | { id: number; ok: false; error: string; fatal: boolean; loadError?: any };
 
 /** Whether data from a worker are a message of the protocol; `isReply` checks what a reply holds. */
 export function isSignal(data: any): data is Signal {
   if (!isObject(data) || !Number.isInteger(data.id)) return false;
-  if ("waits" in data) return isText(data.waits) && data.waits.length <= 200;
+  const name = data.waits ?? data.wants;
+  if (name !== undefined) return isText(name) && name.length <= 200;
   return data.ok === true || (data.ok === false && isText(data.error));
 }
 

@@ -9,7 +9,13 @@
 import { printable } from "../errors.ts";
 import { findAll } from "../page/dom.ts";
 import { words } from "../page/words.ts";
-import { findLoadError, type LoadErrorData, type LoadErrorKind } from "./load_error.ts";
+import {
+  fetchListed,
+  findLoadError,
+  LoadError,
+  type LoadErrorData,
+  type LoadErrorKind,
+} from "./load_error.ts";
 import {
   CALLS,
   isReply,
@@ -247,9 +253,21 @@ export class Runtime {
       console.warn(words("runtime.unreadable"));
     } else if (call && call.id === reply.id) {
       if ("waits" in reply) this.#noteWait(call, reply.waits);
+      else if ("wants" in reply) this.#sendChunk(reply.wants);
       else if (!reply.ok) this.#fail(call, reply);
       else if (!isReply(call.name, reply)) this.#endWorker(words("runtime.unreadable"));
       else this.#end(() => call.resolve(reply));
+    }
+  }
+
+  async #sendChunk(chunk: string) {
+    const worker = this.#worker;
+    try {
+      const archive = await fetchListed(this.url, chunk, document.body.dataset.table);
+      worker?.postMessage({ chunk, archive }, [archive]);
+    } catch (error) {
+      const loadError = error instanceof LoadError ? error.data : { kind: "other", file: chunk };
+      worker?.postMessage({ chunk, loadError });
     }
   }
 

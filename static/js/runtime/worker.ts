@@ -4,8 +4,8 @@ import { printable, fullErrorText } from "../errors.ts";
 import { SOURCES, type Chunks } from "./chunks.ts";
 import { free } from "./free.ts";
 import { startInterpreter } from "./interpreter.ts";
-import { isolate } from "./isolation.ts";
-import { LoadError, pendingFiles } from "./load_error.ts";
+import { isConfined, isolate } from "./isolation.ts";
+import { LoadError, pendingFiles, trackArrival } from "./load_error.ts";
 import { CALLS, type CallName, type FrameReply, type StartRequest } from "./messages.ts";
 import { drawable } from "./pixels.ts";
 
@@ -29,6 +29,30 @@ async function start(request: StartRequest) {
   if (python) return;
   python = Object.fromEntries(Object.keys(CALLS).map((name) => [name, module[name]]));
   isolate();
+  if (isConfined) chunks.fetchByPage = fetchByPage;
+}
+
+type Archive = { resolve: (archive: ArrayBuffer) => void; reject: (error: LoadError) => void };
+
+/** Chunks that the page fetches. */
+const requested: Map<string, Archive> = new Map();
+/** The call that is answered. */
+let current = 0;
+
+function fetchByPage(chunk: string): Promise<ArrayBuffer> {
+  const arriving = new Promise<ArrayBuffer>((resolve, reject) => {
+    requested.set(chunk, { resolve, reject });
+    send({ id: current, wants: chunk });
+  });
+  return trackArrival(`${chunk}.zip`, arriving);
+}
+
+/** A chunk from the page. */
+function receive({ chunk, archive, loadError }: any) {
+  const { resolve, reject } = requested.get(chunk) ?? {};
+  requested.delete(chunk);
+  if (archive) resolve?.(archive);
+  else reject?.(new LoadError(loadError.kind, loadError.file, loadError.detail));
 }
 
 /** Import a scene. */
@@ -46,7 +70,18 @@ async function prepare(scene: string) {
   return table.integrity[`${SOURCES}.zip`];
 }
 
-/** The reply of any call. */
+/** The reply of any call; of another attempt where an import lacked a chunk that the page fetches. */
+async function attemptCall(name: CallName, request: any): Promise<any> {
+  for (;;) {
+    const [reply] = await Promise.allSettled([runCall(name, request)]);
+    const lacking = chunks?.lacking.splice(0) ?? [];
+    if (lacking.length > 0) await chunks?.provide(lacking);
+    else if (reply.status === "fulfilled") return reply.value;
+    else throw reply.reason;
+  }
+}
+
+/** The reply of a call by what has been fetched. */
 async function runCall(name: CallName, request: any) {
   const { parameters, reply } = CALLS[name];
   if (name === "start") return await start(request);
@@ -67,13 +102,18 @@ function toPython(value: any) {
 }
 
 self.onmessage = async ({ data }) => {
+  if ("chunk" in data) {
+    receive(data);
+    return;
+  }
   const { id } = data;
+  current = id;
   const beat = () => send({ id, waits: [...pendingFiles][0] ?? "" });
   beat();
   const beats = repeat(beat, HEARTBEAT_MS);
   try {
     if (chunks && data.call !== "start") await provideFor(data, chunks);
-    const reply: Partial<FrameReply> = (await runCall(data.call, data)) ?? {};
+    const reply: Partial<FrameReply> = (await attemptCall(data.call, data)) ?? {};
     const transfer = (reply.rasters ?? []).concat(reply.sound ?? []);
     send({ id, ok: true, ...reply }, { transfer });
   } catch (error) {
