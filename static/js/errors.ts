@@ -1,4 +1,4 @@
-/** What went wrong, in words. */
+/** Texts of errors. */
 
 /** Longest text of an error that is shown. */
 const LONGEST = 2000;
@@ -6,12 +6,12 @@ const LONGEST = 2000;
 /** Escape sequences of terminals, control characters, and characters that reverse the direction. */
 const CONTROL = /(?![\n\t])\p{Cc}(?:\[[\d;?]*[A-Za-z])?|[\u202a-\u202e\u2066-\u2069]/gu;
 
-/** The message of what was thrown, as it can be shown. */
+/** The text of an error, as it can be shown. */
 export function errorText(error: unknown): string {
   return printable(fullErrorText(error));
 }
 
-/** A text that may hold anything, as it can be shown: without control characters, and cut. */
+/** A text without control characters, and cut, as it can be shown. */
 export function printable(text: string): string {
   const start = text.slice(0, LONGEST).replaceAll(CONTROL, "").trim();
   return text.length > LONGEST ? `${start} …` : start;

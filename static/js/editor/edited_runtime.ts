@@ -1,6 +1,6 @@
 /**
- * Draws one figure by its reader's own code, in an interpreter of its own: whatever that code does
- * there, the book's interpreter and all other figures are unaffected.
+ * Draws one figure by edited code in a separate interpreter, so that the book's interpreter and all
+ * other figures are unaffected.
  */
 
 import { printable } from "../errors.ts";
@@ -85,7 +85,7 @@ export class EditedRuntime {
     }
   }
 
-  /** From now on, draw by `edits`, which have drawn a frame. */
+  /** Draw by `edits`, which have drawn a frame. */
   adopt(edits: string, request: FrameRequest, reply: FrameReply) {
     this.#edits = edits;
     this.#ready = { request: JSON.stringify(request), reply };

@@ -1,4 +1,4 @@
-/** What a reader has changed in the Python of one figure; kept in the browser. */
+/** A reader's changes to the Python of one figure, in the browser's storage. */
 
 import { loadItem, saveItem } from "../page/storage.ts";
 import type { Sources } from "./sources.ts";
@@ -42,12 +42,12 @@ export class Edits {
     return [...this.entries.keys()].filter((key) => this.isCurrent(key));
   }
 
-  /** What the interpreter takes: definitions and texts. */
+  /** JSON of definitions and texts, for the interpreter. */
   get json() {
     return JSON.stringify(Object.fromEntries(this.currentKeys.map((key) => [key, this.text(key)])));
   }
 
-  /** The reader has written; the book's own words are no edit. */
+  /** Store a text; that of the book is no edit. */
   set(key: string, text: string) {
     const { text: book, hash } = this.sources.definitions[key];
     const entries = this.entries;

@@ -1,4 +1,4 @@
-/** Opens the Python of figures: what does it is fetched when it is first needed. */
+/** Opens the Python of figures; the editor is fetched when it is first needed. */
 
 import { errorText } from "../errors.ts";
 import { glideTo, recordJump } from "../figure/animate.ts";
@@ -31,7 +31,7 @@ export function install() {
 export const { arrive, followAddress } = figures;
 
 /**
- * Have a figure of the page drawn with a text in place of one of the book's definitions.
+ * Draw a figure of the page with a text in place of one of the book's definitions.
  *
  * @param id Element id of the figure.
  * @param key Of the definition.
@@ -61,7 +61,7 @@ async function open(figure: SimulationFigure) {
   }
 }
 
-/** Have the reader's own version of the figure's Python draw, as it did when the page was left. */
+/** Draw by the reader's edits again, as when the page was left. */
 async function resume(figure: SimulationFigure) {
   try {
     await (await workshopOf(figure)).resume();

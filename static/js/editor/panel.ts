@@ -9,7 +9,7 @@ import type { Problem } from "./edited_runtime.ts";
 import type { Edits } from "./edits.ts";
 import { nameOf, type Sources } from "./sources.ts";
 
-/** What the reader's actions lead to; `changed` where the text was. */
+/** Callbacks of the reader's actions. */
 type Actions = Record<
   "changed" | "run" | "stop" | "putBack" | "putAllBack" | "download" | "close",
   () => void
@@ -89,7 +89,7 @@ export class Panel {
     this.#editor?.replace(this.sources.definitions[this.key].text);
   }
 
-  /** What depends on which texts are the reader's. */
+  /** Update what depends on which texts are edited. */
   refresh() {
     const { edits, key } = this;
     const edited = edits.text(key) !== null;
@@ -110,7 +110,7 @@ export class Panel {
     }
   }
 
-  /** What became of each stage in the frame that is shown. */
+  /** Show whether each stage of the frame was computed. */
   showStages(stages: Stage[]) {
     for (const part of this.#parts) {
       const stage = stages.find(({ name }) => name === part.dataset.stage);

@@ -1,4 +1,4 @@
-/** The Python of a scene, as the build wrote it down; fetched when a reader first asks for it. */
+/** The Python of a scene, as written by the build; fetched when a reader first opens it. */
 
 import type { Stage } from "../figure/stage_report.ts";
 
@@ -37,7 +37,7 @@ export function nameOf(key: string) {
 
 /**
  * The part to open first: the formula; else the first stage that was computed for the frame that is
- * shown; else what draws.
+ * shown; else the function that draws.
  */
 export function firstPart({ stages, draw, formula }: Sources, shown: Stage[]) {
   if (formula) return formula;

@@ -1,6 +1,6 @@
 /**
- * The Python of one figure, open to its reader: read, change, run, put back. Edited code runs in an
- * interpreter of its own and becomes the figure's only once it has drawn a frame.
+ * The Python of one figure, to be read, changed, run and put back. Edited code runs in a separate
+ * interpreter and draws the figure only once it has drawn a frame.
  */
 
 import { errorText } from "../errors.ts";
@@ -34,7 +34,7 @@ export class Workshop {
   /**
    * @param live Null where this browser runs no Python.
    * @param book What draws the figure by the book's code.
-   * @param name Under which edits are kept.
+   * @param name Key of the edits in storage.
    */
   constructor(
     readonly figure: HTMLElement,
@@ -81,7 +81,7 @@ export class Workshop {
     else this.#showState(edits);
   }
 
-  /** Have `text` in place of a definition of the book's, and run it. */
+  /** Run `text` in place of a definition of the book's. */
   async runWith(key: string, text: string) {
     const edits = await this.#loadEdits();
     if (!(key in edits.sources.definitions)) throw new Error(words("workshop.unused"));
@@ -274,7 +274,7 @@ export class Workshop {
     if (!this.#panel && problem) setText(this.state, text);
   }
 
-  /** What the figure says of itself, also where the panel is closed, and what can be pressed. */
+  /** Show the state of the code, also where the panel is closed, and which buttons can be pressed. */
   #showState(edits: Edits) {
     this.figure.toggleAttribute("data-edited", this.#isEdited);
     const changed = edits.entries.size > 0 ? words("workshop.changed") : "";

@@ -1,6 +1,6 @@
 /**
- * Words in the text that set a figure. Its sliders glide there, so that the eye can follow; a hand
- * on the figure, or Escape, stops them where they are.
+ * Links in the text that set a figure. Its sliders glide there, so that the eye can follow; a press on
+ * the figure, or Escape, stops them where they are.
  */
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
@@ -20,12 +20,12 @@ const followed: WeakMap<HTMLElement, Element> = new WeakMap();
 /** What ends the motion of a figure. */
 const moving: WeakMap<HTMLElement, () => void> = new WeakMap();
 
-/** Whether the reader asked for less motion. */
+/** Whether the reader prefers less motion. */
 export function prefersReducedMotion() {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }
 
-/** Do what a link of the text says. */
+/** Set a figure to the values of a link in the text. */
 export async function followLink(link: HTMLAnchorElement) {
   const shown = figureOf(link);
   if (!shown) return;
@@ -50,7 +50,7 @@ function figureOf({ dataset }: HTMLElement) {
 
 /**
  * The values that a link sets. A link of a prediction or of its answer sets every control: to the
- * page's start, to what earlier links of the same prediction say, and to what it says itself. So
+ * page's start, to the values of earlier links of the same prediction, and to its own. So
  * the claim holds whatever was tried before.
  */
 function valuesOfLink(link: HTMLAnchorElement, figure: HTMLElement): Record<string, Value> {
@@ -122,7 +122,7 @@ export function glideTo(figure: HTMLElement, values: Record<string, Value>) {
     for (const each of withParts(figure)) each.addEventListener(type, end, { signal });
   }
   document.addEventListener("keydown", ({ key }) => key === "Escape" && end(), { signal });
-  // Another state of the page is asked for: what the move would leave behind is not to be kept.
+  // Another state of the page is requested, so the end of this move is not recorded.
   addEventListener("popstate", quit, { signal });
   moving.set(figure, end);
 }

@@ -1,6 +1,6 @@
 /**
- * What a book with figures ships: the elements, and gestures on them and on words that speak of them.
- * What answers these is fetched when it is first needed. Listeners sit on the document, so that they
+ * The element of figures, and gestures on figures and on words that refer to them. The scripts that
+ * answer gestures are fetched when they are first needed. Listeners sit on the document, so that they
  * outlive a change of chapter.
  */
 
@@ -25,7 +25,7 @@ export function arrive() {
   nudgeFirstHandle();
 }
 
-/** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
+/** Elements that may have a colour: words, parts of formulae, readouts, handles, controls. */
 const COLOURED = '[class*="role-"], .control';
 
 /** Figures that the reader has changed since the page was opened. */
@@ -35,7 +35,7 @@ function installGestures() {
   document.addEventListener("click", handleClick);
   document.addEventListener("input", markTouched);
   document.addEventListener("figure-rest", recordState);
-  // What a press copies must be at hand when it comes: browsers forbid it a moment later.
+  // Copying needs its script at the press: browsers forbid it a moment later.
   document.addEventListener("toggle", fetchTools, true);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
   for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight);
@@ -100,7 +100,7 @@ async function highlight(event: Event) {
 function ignore() {}
 
 /**
- * Panels that stand in a strip: a dot for each brings it into view and tells which is shown.
+ * Panels that stand in a strip: a dot for each brings it into view and marks the visible one.
  */
 function bringIntoView(dot: HTMLButtonElement) {
   const dots = dot.parentElement;

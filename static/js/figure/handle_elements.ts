@@ -1,6 +1,6 @@
 /**
- * Handles as elements of the page: what they drive, where they are, which one a press means, and what
- * keys mean: arrow keys step the controls that a handle drives.
+ * Handles as elements of the page: the settings they drive, their places, the handle at a press, and
+ * keys: arrow keys step the controls that a handle drives.
  */
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
@@ -13,7 +13,7 @@ export type Point = [number, number];
 /** Handles that are nearer to the pointer than this, in CSS pixels, compete for it. */
 const REACH = 22;
 
-/** The handle that a press means: the nearest mark within reach, else what lies under it. */
+/** The handle at a press: the nearest mark within reach, else the one under the pointer. */
 export function handleAt(layer: HTMLElement, event: PointerEvent): HTMLElement | null {
   const near = findAll(layer, "[data-handle]:not(.drag, .aim, [hidden])", HTMLElement)
     .map((element) => ({ element, distance: distanceTo(element, event) }))
@@ -92,9 +92,9 @@ function distanceTo(element: HTMLElement, event: PointerEvent) {
 
 /**
  * A finger that comes down on the ground of a panel may be on its way to scroll the page. One that
- * rests there first has taken hold of the ground, and drags it up and down, too.
+ * rests there first drags the ground, up and down, too.
  *
- * Milliseconds of rest after which the ground is in the reader's hand.
+ * Milliseconds of rest after which the finger drags the ground.
  */
 const REST = 250;
 /** How far a finger at rest may move, in CSS pixels. */
@@ -154,7 +154,7 @@ const KEYS: Record<string, { axis: number; steps: number } | undefined> = {
   End: { axis: 0, steps: Infinity },
 };
 
-/** What a key means for the control that it steps; null where it means nothing to the handle. */
+/** The value of the control that a key steps; null for a key without a meaning. */
 export function valuesByKey(
   event: KeyboardEvent,
   element: HTMLElement,

@@ -1,6 +1,6 @@
 /**
  * Handles: the parts of a picture that can be dragged. The page knows where a handle is and where the
- * pointer; what a pull means, Python says. It answers with values for controls, and these then
+ * pointer; Python computes the meaning of a pull. It answers with values for controls, and these then
  * move as if the reader had moved them.
  */
 
@@ -43,10 +43,10 @@ export type Pull = { handle: string; x: number; y: number; values: string };
 
 type Job = { handle: string; place: Point; done: boolean };
 
-/** What is in the reader's hand. */
+/** A handle that is dragged. */
 interface Grab {
   element: HTMLElement;
-  /** How far from the pointer it was taken. */
+  /** Its distance from the pointer at the press. */
   offset: Point;
   /** Where it was led. */
   last: Point | null;
@@ -132,7 +132,7 @@ export class Handles {
     this.#pullToPointer(event);
   }
 
-  /** Bring what is held to the pointer. */
+  /** Bring the dragged handle to the pointer. */
   #pullToPointer(event: PointerEvent) {
     if (!this.#grab) return;
     const { element, offset } = this.#grab;
@@ -198,7 +198,7 @@ export class Handles {
     if (undone) this.#history.undo(undone);
   }
 
-  /** Have each handle say what it is set to. */
+  /** Describe the value of each handle, for screen readers. */
   #describe() {
     const values = readValues(this.form, this.schema.controls);
     for (const element of this.#elements) {
@@ -243,7 +243,7 @@ export class Handles {
         field.closest(".control")?.classList.toggle("driven", begun);
       }
     }
-    // A browser may show the focus that a hand has left, as if by keyboard.
+    // A browser may show the focus that a pointer has left, as if by keyboard.
     if (event.type === "focusout") element?.classList.remove("by-hand");
     if (event.type.startsWith("focus")) this.#describe();
   }

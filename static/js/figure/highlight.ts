@@ -1,8 +1,7 @@
 /**
- * What has the colour of an idea highlights what else has it. Words, symbols and readouts let the
- * rest of the nearest figure step back, and mark the same colour in the text and the controls that
- * move it. Controls and handles only mark the text: the hand that moves them needs the whole
- * picture.
+ * Highlights everything with the colour of the element under the pointer. Words, symbols and readouts
+ * dim the rest of the nearest figure, and mark the same colour in the text and the controls that move
+ * it. Controls and handles only mark the text: whoever moves them needs the whole picture.
  */
 
 import { findAll, findOptional } from "../page/dom.ts";
@@ -31,7 +30,7 @@ export function highlightFrom(element: Element) {
     if (text) text.dataset.lit = role;
     if (element.matches(".control, .handle")) return;
     for (const control of controlsOf(figure, role)) control.classList.add("driven");
-    // A figure that draws nothing in that colour has nothing to step back from.
+    // A figure that draws nothing in that colour has nothing to dim.
     if (figure.querySelector(`.overlay .${role}`)) figure.dataset.lit = role;
   }, REST);
 }
@@ -48,7 +47,7 @@ function clear() {
   for (const lit of findAll(document, "[data-lit]", HTMLElement)) delete lit.dataset.lit;
 }
 
-/** The colour of an element; of a control that of the handle which drives it. */
+/** The colour of an element; of a control, the colour of the handle that drives it. */
 function roleOf(element: Element, figure: HTMLElement): string | undefined {
   const name = element.matches(".control") && element.querySelector("[name]")?.getAttribute("name");
   const driving = `[data-handle][data-drives~="${CSS.escape(name || "")}"]`;

@@ -10,7 +10,7 @@ import { isAction, type Action } from "../../../simulations/engine/controls/acti
 import { isSlider, type Slider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { readValue, writeValue, type Schema } from "./controls.ts";
 
-/** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
+/** Shortest pause between two pictures where the reader prefers less motion, in seconds. */
 const REDUCED_PAUSE = 1;
 /** Pictures on a way that is too short for whole numbers. */
 const REDUCED_PICTURES = 4;
@@ -57,14 +57,14 @@ export class Motion {
     this.moved(slider.name, performance.now(), false);
   }
 
-  /** Nobody sees it any more: what has begun by itself is undone, so that the text stays true. */
+  /** Undo a motion that began by itself, as it is out of view, so that the text stays true. */
   away() {
     const slider = this.#byItself && this.#playing?.slider;
     if (slider) writeValue(this.form, slider, this.schema.values[slider.name]);
     this.stop();
   }
 
-  /** Begin what a figure shows by itself, if a control says so and stands where the page put it. */
+  /** Begin the motion that a control declares, if it stands where the page put it. */
   startByItself() {
     const { controls, values } = this.schema;
     const action = controls.filter(isAction).find(({ arrival }) => arrival);
@@ -74,7 +74,7 @@ export class Motion {
     this.#byItself = true;
   }
 
-  /** A hand is on the figure. */
+  /** Stop a motion that began by itself, as the reader uses the figure. */
   stopByTouch() {
     this.#byItself = false;
     if (this.#playing && !this.#playing.action) this.stop();
@@ -146,8 +146,8 @@ export class Motion {
 const IN_VIEW = 0.5;
 
 /**
- * Have a figure move when it, or a part of it, comes into view, once, if no hand was on it; not where the reader asked
- * for less motion. Whatever moves stops where nobody sees it.
+ * Start a figure's motion when it, or a part of it, first comes into view, unless the reader has used it
+ * or prefers less motion. All motion stops out of view.
  *
  * @param signal Ends all watching.
  */

@@ -38,7 +38,7 @@ export class Overlay {
 
   constructor(readonly svg: Element) {}
 
-  /** Show what `markup` says, as if it had been parsed into the place. */
+  /** Show the drawing of `markup`. */
   show(markup: string) {
     if (markup === this.#shown) return;
     scratch.innerHTML = markup;

@@ -83,7 +83,7 @@ export function panelsOf(figures: HTMLElement[], name: string) {
   return figures.flatMap((figure) => findAll(figure, selector, HTMLElement));
 }
 
-/** Give a panel the shape of what it shows: photographs of the reader's have their own. */
+/** Give a panel the shape of its content: photographs of the reader have different ones. */
 function fitPanel(view: HTMLElement, { width, height }: Panel) {
   const svg = findOptional(view, "svg.overlay", SVGSVGElement);
   const box = svg?.viewBox.baseVal;
@@ -116,7 +116,7 @@ function paintRaster(
 }
 
 /**
- * Have the pixels of a figure's stills on canvases, as those of live frames are: they are the first.
+ * Put the pixels of a figure's initial frame on canvases, as its first live frame.
  */
 export function adoptInitialFrames(figure: HTMLElement) {
   for (const initial of findAll(figure, "img.still", HTMLImageElement)) {

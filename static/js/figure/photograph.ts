@@ -1,5 +1,5 @@
 /**
- * The reader's own pictures: decoded in the page, upright, at the size that a scene computes with,
+ * Pictures of the reader: decoded in the page, upright, at the size that a scene computes with,
  * for Python. They are sent nowhere.
  */
 
@@ -14,7 +14,7 @@ export type Source = { name: string; file: Blob };
 /** Width and height to which a picture is cut, or the most megapixels of one that is not. */
 export type Size = [number, number] | number;
 
-/** A file's picture, to be closed after use; of a raw file with what the decoder says of it. */
+/** A file's picture, to be closed after use; of a raw file with the decoder's facts. */
 export interface DecodedPicture {
   bitmap: ImageBitmap;
   /** Before it was scaled down. */
@@ -23,7 +23,7 @@ export interface DecodedPicture {
   mosaic?: Mosaic;
 }
 
-/** What is wanted of a file; of a raw one, its cells or a picture of some megapixels. */
+/** How to decode a file; a raw one into its cells or a picture of some megapixels. */
 export interface DecodeOptions {
   mosaic: boolean;
   megapixels: number;
@@ -40,7 +40,7 @@ const LARGEST_MEGAPIXELS = 120;
 const UNSEEN_CROP = 0.01;
 /** A side of fewer pixels shows nothing worth a lens. */
 const SMALLEST_PX = 16;
-/** Bytes at the beginning of a file in which a camera says how it took the picture. */
+/** Bytes at the beginning of a file that hold the camera's facts of the picture. */
 const HEAD = 1024 * 1024;
 /** Longer side of a thumbnail. */
 const THUMBNAIL_PX = 192;
@@ -54,7 +54,7 @@ export function nextPictureNumber() {
   return ++pictures;
 }
 
-/** A picture at a scene's size, or an error that says what is wrong and what would do. */
+/** A picture at a scene's size, or an error with its reason and a remedy. */
 export function decodePicture(source: Source, number: number, size: Size): Promise<Picture> {
   const megapixels = typeof size === "number" ? size : (size[0] * size[1]) / 1e6;
   const measured = typeof size === "number";

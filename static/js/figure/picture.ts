@@ -8,7 +8,7 @@ import { words } from "../page/words.ts";
 
 /** Pixels of the file for each pixel of the page. */
 const SCALE = 2;
-/** What a style sheet says of a drawing, and a file must say itself. */
+/** Properties that the page's style sheets set and a file must hold itself. */
 const PROPERTIES = [
   "color",
   "fill",

@@ -132,7 +132,7 @@ function nearest(frames: Frame[], value: Value): Frame | undefined {
   return frames.toSorted((first, second) => distance(first) - distance(second))[0];
 }
 
-/** Whether the link or the device is slow; some browsers say nothing of the link. */
+/** Whether the link or the device is slow; some browsers do not report the link. */
 function isSlow() {
   const { connection } = navigator as { connection?: any };
   return !savesData() && (begun > LATE_MS || SLOW.includes(connection?.effectiveType));

@@ -1,4 +1,4 @@
-/** The reader's own pictures in a figure that takes them: chosen, sent to Python, and put back. */
+/** The reader's pictures in a figure that takes them: chosen, sent to Python, and put back. */
 
 import { errorText } from "../errors.ts";
 import { findOptional, find, closestTo } from "../page/dom.ts";
@@ -9,7 +9,7 @@ import { showMessage } from "./status.ts";
 
 const LARGE_MEGAPIXELS = 4;
 
-/** Which picture is looked at. */
+/** The picture that is viewed. */
 export type ChosenPicture = Source & { number: number };
 
 export class ReaderPicture {
@@ -55,7 +55,7 @@ export class ReaderPicture {
     );
   }
 
-  /** Which pictures they are; empty: those of the book. */
+  /** A key of the pictures; empty for the book's. */
   get key() {
     return this.#chosen || this.#readings.length
       ? `${this.#chosen?.number ?? 0} ${this.#version}`
@@ -67,7 +67,7 @@ export class ReaderPicture {
     return Number(this.size) > LARGE_MEGAPIXELS && this.#sent.picture !== "";
   }
 
-  /** From now on use what was read of all pictures, and the chosen one, which is looked at. */
+  /** Use the readings of all pictures, and view the chosen one. */
   set(chosen: ChosenPicture | null, readings: Reading[]) {
     this.#chosen = this.size ? chosen : null;
     const numbers = (list: Reading[]) => list.map(({ number }) => number).join();

@@ -1,6 +1,6 @@
 /**
- * What a figure says while it waits, and second attempts: of one frame at once, and of all figures when
- * the reader or the network asks.
+ * Messages of a waiting figure, and second attempts: of one frame at once, and of all figures at the
+ * reader's request or when the network is back.
  */
 
 import { allowStart } from "../page/data_saver.ts";
@@ -10,12 +10,12 @@ import { RuntimeFailure, type Caller } from "../runtime/runtime.ts";
 import { LEADS } from "./parts.ts";
 import { showMessage, setState } from "./status.ts";
 
-/** Seconds after which a figure says what it waits for, and after which it offers another try. */
+/** Seconds after which a figure shows what it waits for, and after which it offers another try. */
 const REPORTED_AFTER = 4;
 const OFFERED_AFTER = 16;
 
 /**
- * Say what a figure waits for where that takes long. Each tick of the clock counts a second at most, so
+ * Show what a figure waits for where that takes long. Each tick of the clock counts a second at most, so
  * that time in which the page could not run is no waiting.
  *
  * @param isNear Whether the reader may see the figure.
@@ -74,13 +74,13 @@ export async function attemptTwice(
   );
 }
 
-/** The reader has asked for Python in one figure: all start. */
+/** Start all figures, as the reader has started one. */
 export function startAll() {
   allowStart();
   callAll("waiting", "begin");
 }
 
-/** What kept one figure from its frame has most often kept them all. */
+/** Retry all failed figures: most often they failed for one reason. */
 export function retryAll() {
   callAll("failed", "retry");
 }

@@ -56,7 +56,7 @@ class Player {
 
 const players: WeakMap<HTMLElement, Player> = new WeakMap();
 
-/** Play the sound of a figure, and those of the frames to come, or stop it. */
+/** Play the sound of a figure, also of later frames, or stop it. */
 export async function toggleSound(figure: HTMLElement, button: HTMLButtonElement) {
   const { live } = figure as HTMLElement & { live: LiveFigure | null };
   if (!live) return;

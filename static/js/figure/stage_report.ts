@@ -1,7 +1,6 @@
 /**
- * What a figure reports of its own computation: what became of each stage, how long the frame took,
- * and how far it is from the truth. The last is asked for only while the figure rests and the report
- * is open.
+ * The report of a figure's computation: the status of each stage, the time of the frame, and its error.
+ * The error is estimated only while the figure rests and the report is open.
  */
 
 import { errorText } from "../errors.ts";
@@ -13,14 +12,14 @@ import type { FigureLevels } from "./levels.ts";
 
 export type Stage = { name: string; status: "computed" | "reused" | "skipped"; reason: Reason };
 
-/** A scene's own words, or the engine's. */
+/** The text of a scene, or messages of the engine. */
 type Reason = string | Message[];
 
 type Estimate = Pick<Readout, "name" | "label" | "text" | "unit">;
 /** Control values, level, and which picture of the reader's. */
 type MeasuredFrame = { values: string; tier: string; pictures: string };
 
-/** What was shown while something moved, how long it took, and what the next level would take. */
+/** The level while something moves, its time, and the time of the next level. */
 export type Moving = {
   tier: string;
   label: string;
@@ -72,13 +71,13 @@ function countStages(stages: Stage[]) {
 
 /** The line with error and time under a figure that has a reference. */
 export class Accuracy {
-  /** What is shown and not yet measured. */
+  /** The frame whose error is not yet measured. */
   #waiting: MeasuredFrame | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #near = false;
-  /** What the picture shows of estimates: each was written into the elements of its name. */
+  /** Estimates written into the picture, by the name of their elements. */
   #written: Map<string, string> = new Map();
-  /** A figure's first frame also waits for its code to be loaded, and says so. */
+  /** Number of frames; the first also waits for its code, and is labelled so. */
   #frames = 0;
 
   /** The search for the cheapest level within the reader's tolerance that was finished last. */

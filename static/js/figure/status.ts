@@ -1,6 +1,6 @@
 /**
- * What a figure says of itself. In words: the line below it, and the description that is read out. And
- * in `data-state`: `still` as built; `waiting` for the reader to ask, where the link is metered;
+ * The status of a figure: the message below it, the description that is read out, and attributes.
+ * `data-state`: `still` as built; `waiting` for the reader to ask, where the link is metered;
  * `starting` once a frame is requested; `live` after each painted frame; `failed` with a message and a
  * button. `data-frames` counts frames after their pixels are in the page, `data-late` those that came
  * later than two display frames; `data-level` is the level of accuracy of the frame that is shown.
@@ -50,7 +50,7 @@ export function setState(figure: HTMLElement, state: string) {
   }
 }
 
-/** A frame has come: what was said of the lack of one is over. */
+/** Clear the message about a missing frame, as one has come. */
 export function clearFailure(figure: HTMLElement) {
   if (!figure.querySelector(".figure-status.lasting")) showMessage(figure, "");
 }

@@ -1,4 +1,4 @@
-/** What can be done with a figure as a whole: the row of buttons below it. */
+/** Actions on a figure as a whole: the row of buttons below it. */
 
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { errorText } from "../errors.ts";
@@ -11,7 +11,7 @@ import { leaderOf } from "./parts.ts";
 import { embedding, permalink, settingsOf } from "./permalink.ts";
 import { panelFile } from "./picture.ts";
 
-/** How long it is said that something was copied or saved. */
+/** Milliseconds for which a report of copying or saving stays. */
 const REPORT_MS = 6000;
 
 type Tool = (figure: HTMLElement, button: HTMLButtonElement) => unknown;
@@ -32,7 +32,7 @@ const TOOLS: Record<string, Tool> = {
   savePanel,
 };
 
-/** Do what a button of the row says. */
+/** Run the action of a button of the row. */
 export async function runTool(button: HTMLButtonElement) {
   const figure = button.closest("simulation-figure");
   const name = Object.keys(TOOLS).find((tool) => tool in button.dataset);
@@ -104,7 +104,7 @@ async function savePanel(figure: HTMLElement, button: HTMLButtonElement) {
   save(figure, `${name}.${suffix}`, blob);
 }
 
-/** Copy a text and say `done`; where the browser forbids it, show it to be copied by hand. */
+/** Copy a text and report `done`; where the browser forbids it, show the text to be copied by hand. */
 async function copy(figure: HTMLElement, text: string, done: string) {
   try {
     await navigator.clipboard.writeText(text);
@@ -124,7 +124,7 @@ function save(figure: HTMLElement, name: string, content: BlobPart, type?: strin
   report(figure, words("tools.saved", { file }));
 }
 
-/** Say what was done, for some seconds. */
+/** Report an action for some seconds. */
 function report(figure: HTMLElement, text: string) {
   const line = findOptional(figure, ".tools-status", HTMLElement);
   if (!line) return;
@@ -134,7 +134,7 @@ function report(figure: HTMLElement, text: string) {
 }
 
 /**
- * What a figure is set to and what it measures, for other programs, as comma-separated values: a line for each setting and each number, entries of a matrix row by row.
+ * Settings and readouts of a figure as comma-separated values: a line for each, matrices row by row.
  */
 function numbersOf(figure: HTMLElement) {
   const { form, controls } = settingsOf(leaderOf(figure));

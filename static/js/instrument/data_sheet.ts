@@ -1,4 +1,4 @@
-/** What the instruments of a page have measured of the reader's camera, gathered on one sheet. */
+/** The data sheet: results of all instruments of a page for the reader's camera. */
 
 import { findAll, download, find } from "../page/dom.ts";
 import { loadItem, saveItem } from "../page/storage.ts";
@@ -22,11 +22,11 @@ const INPUTS = [
   { from: "calibration", file: "camera-and-poses", to: "single-view" },
   { from: "photon-transfer", file: "sensor", to: "slanted-edge" },
 ];
-/** Lines after the main one that say how it was measured. */
+/** Lines after the main one with the conditions of the measurement. */
 const CONDITIONS = 3;
 /** Letters of a value; what is longer is a sentence on why there is none. */
 const LONGEST = 30;
-/** Milliseconds for which a figure rests before its results are asked for. */
+/** Milliseconds for which a figure rests before its results are requested. */
 const PAUSE = 250;
 
 let timer = 0;
@@ -102,7 +102,7 @@ export class DataSheet {
   }
 }
 
-/** What an instrument found, JSON; "" for nothing. */
+/** The result of an instrument, JSON; "" for none. */
 async function exportedText(name: string, instrument: Instrument | undefined): Promise<string> {
   const live = instrument?.figure.live;
   const request = live && { ...live.request(), name };
@@ -110,7 +110,7 @@ async function exportedText(name: string, instrument: Instrument | undefined): P
   return made?.text ?? "";
 }
 
-/** What one instrument measured; null where it cannot say. */
+/** The results of one instrument; null where it has none. */
 async function measuredPart(instrument: Instrument): Promise<Part | null> {
   const { scene } = instrument;
   const { live } = instrument.figure;

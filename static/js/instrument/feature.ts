@@ -1,4 +1,4 @@
-/** Instruments: what does the work is fetched when the first photograph comes in. */
+/** Instruments; their scripts are fetched when the first photograph comes in. */
 
 import { SimulationFigure } from "../figure/element.ts";
 import { findAll, findOptional, find, closestTo } from "../page/dom.ts";
@@ -25,7 +25,7 @@ export function install() {
   });
   document.addEventListener("painted", refreshSheet, true);
   addEventListener("beforeunload", (event) => {
-    if (findOptional(document, "[data-unsaved]", HTMLElement)) event.preventDefault(); // the browser asks
+    if (findOptional(document, "[data-unsaved]", HTMLElement)) event.preventDefault(); // needs a confirmation
   });
 }
 

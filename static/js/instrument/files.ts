@@ -9,7 +9,7 @@ import { Runtime } from "../runtime/runtime.ts";
 import type { Instrument } from "./instrument.ts";
 import { MOST_MEGAPIXELS } from "./reader.ts";
 
-/** Do what a button of the row says. */
+/** Make the file of a button of the row. */
 export async function makeFile(
   button: HTMLButtonElement,
   figure: SimulationFigure,
@@ -38,7 +38,7 @@ async function saveText(figure: SimulationFigure, name: string, file: string) {
   download(file, text);
 }
 
-/** In an interpreter of its own, as a whole photograph takes much memory. */
+/** In a separate interpreter, as a whole photograph takes much memory. */
 async function saveDeveloped(
   figure: SimulationFigure,
   instrument: Instrument | null,

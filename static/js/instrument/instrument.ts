@@ -35,7 +35,7 @@ export class Instrument {
   /** A remark beside the state of the work, until photographs come or go. */
   #remark = "";
   #isKeeping = loadItem(KEEP_KEY) !== false;
-  /** What the control that counts photographs last followed. */
+  /** The number that the control for counting photographs followed last. */
   #counted = 0;
   #otherResult = "";
   #otherResultNumber = 0;
@@ -107,7 +107,7 @@ export class Instrument {
     return this.work();
   }
 
-  /** Photographs that were kept, with the settings that they were measured with. */
+  /** Restore stored photographs, with the settings that they were measured with. */
   async restore() {
     this.#isKeeping = true;
     find(this.box, ".intake-keep", HTMLInputElement).checked = true;
@@ -122,7 +122,7 @@ export class Instrument {
     await this.work();
   }
 
-  /** Read what waits, until it is done or stopped. */
+  /** Read the photographs that wait, until all are read or the reader stops it. */
   async work() {
     this.#isStopped = false;
     if (this.#isWorking) return;
@@ -212,7 +212,7 @@ export class Instrument {
     this.#updateFigure();
   }
 
-  /** Measure with what another instrument found, JSON, or with nothing: "". */
+  /** Measure with the result of another instrument, JSON, or without: "". */
   measureWith(given: string) {
     if (given === this.#otherResult) return;
     this.#otherResult = given;
@@ -220,7 +220,7 @@ export class Instrument {
     this.#updateFigure();
   }
 
-  /** Give the figure what is ready; the first that is, is looked at. */
+  /** Give the figure the photographs that are ready, and view the first of them unless one is chosen. */
   #updateFigure() {
     this.chosen ??= this.photos.find(({ state }) => state === "ready") ?? null;
     this.list.mark(this.chosen);

@@ -32,7 +32,7 @@ export class PhotoList {
     find(item, ".intake-look", HTMLButtonElement).disabled = !photo.thumbnail;
   }
 
-  /** Mark the one that is looked at. */
+  /** Mark the one that is viewed. */
   mark(chosen: Photo | null) {
     for (const [photo, item] of this.#items) {
       const pressed = String(photo === chosen);

@@ -11,7 +11,7 @@ import { settingsOf } from "../figure/permalink.ts";
 import type { Source } from "../figure/photograph.ts";
 import { loadItem, saveItem } from "../page/storage.ts";
 
-/** `ready`: decoded, and read where the scene reads; `refused`: `message` says why. */
+/** `ready`: decoded, and read where the scene reads; `refused`: for the reason in `message`. */
 export type State = "waiting" | "reading" | "ready" | "refused";
 
 export interface Photo extends Source {
@@ -22,19 +22,19 @@ export interface Photo extends Source {
   state: State;
   message: string;
   thumbnail: Blob | null;
-  /** What its scene keeps of it. */
+  /** The result of its scene's `read`. */
   data: unknown;
-  /** Whether it is simulated; its file is made when it is read, and not kept. */
+  /** Whether it is simulated; its file is made when it is read, and not stored. */
   isSample?: boolean;
 }
 
-/** Key in storage of the settings of a scene's figure whose photographs are kept. */
+/** Key of the settings of a scene's figure whose photographs are stored. */
 export function sessionKey(scene: string) {
   return `instrument:${scene}`;
 }
 
 const STORE = "photographs";
-/** Key of `false` where photographs are not to be kept; phones end pages that are not looked at. */
+/** Key of `false` where photographs are not to be stored; phones end pages in the background. */
 export const KEEP_KEY = "instruments-keep";
 
 /** `order` in which they were added; `sources` of the Python that read it. */
@@ -58,7 +58,7 @@ export async function loadPhotos(scene: string): Promise<Omit<Photo, "number">[]
     );
 }
 
-/** Keep photographs as they are now, each at its place among all. */
+/** Store photographs as they are now, each at its place among all. */
 export async function savePhotos(scene: string, photos: Photo[], all: Photo[]) {
   const sources = document.body.dataset.sources ?? "";
   await inStore("readwrite", (store) => {
@@ -129,7 +129,7 @@ export function saveSession(scene: string, figure: SimulationFigure) {
   saved.set(figure, values);
 }
 
-/** Put a figure to the settings that were kept, unless the address of its page has some. */
+/** Set a figure to its stored settings, unless the address of its page has some. */
 export function restoreSession(scene: string, figure: SimulationFigure) {
   const { form, controls } = settingsOf(figure);
   const kept = loadItem(sessionKey(scene));

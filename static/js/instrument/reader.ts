@@ -1,5 +1,5 @@
 /**
- * Reads photographs one after another, in an interpreter of its own: the figure goes on answering,
+ * Reads photographs one after another, in a separate interpreter: the figure goes on answering,
  * and when this one ends, the browser has its memory back.
  */
 

@@ -119,7 +119,7 @@ class LadderBench extends HTMLElement {
     find(this, ".ladder-status", HTMLElement).textContent = text;
   }
 
-  /** The group of the chart that holds the reader's own points. */
+  /** The group of the chart for points measured here. */
   get #points() {
     return find(this, ".overlay .own", SVGElement);
   }

@@ -1,5 +1,5 @@
 /**
- * The reader's own points in the chart of a ladder. The builder draws the rest and gives the axes:
+ * Points measured on the reader's device in the chart of a ladder. The builder draws the rest and gives the axes:
  * `position` is `ChartAxis.position` in `site_builder/benchmarks/charts.py`.
  */
 

@@ -101,7 +101,7 @@ async function checkedFile(address: string, hash: string, isTrusted = false): Pr
   return reply;
 }
 
-/** The last part of the address tells files of one content and several types apart. */
+/** The last part of the address distinguishes files of one content and several types. */
 function keyOf(address: string, hash: string) {
   const folder = address === LIST ? root : `${root}files/`;
   return `${folder}${address.slice(address.lastIndexOf("/") + 1)}?${hash}`;
@@ -113,9 +113,9 @@ async function hashOf(file: Response) {
 }
 
 /**
- * Machine code is taken as the browser has it, if it has: asked whether that is still new, a host would
- * renew it, and the browser forget what it compiled of it. The reply has no address of its own, since
- * scripts find their neighbours by that of the request.
+ * Machine code is taken from the browser's cache, if it is there: a host that revalidates it would renew
+ * it, and the browser drop its compiled code. The reply has no address, since scripts find their
+ * neighbours by the address of the request.
  */
 async function fetchChecked(url: string, hash: string) {
   const ask = (cache: RequestCache) => fetch(url, { cache, integrity: hash });
@@ -148,7 +148,7 @@ async function releases() {
 
 /**
  * What the release has under the address; else what another one has, for a page of that; else what
- * the network says. Scripts that fetch a file by its hash check it themselves, and try again.
+ * the network sends. Scripts that fetch a file by its hash check it themselves, and try again.
  */
 async function replyTo({ request, resultingClientId }: FetchEvent): Promise<Response> {
   const { origin, pathname, search } = new URL(request.url);
@@ -173,7 +173,7 @@ async function replyTo({ request, resultingClientId }: FetchEvent): Promise<Resp
 }
 
 /**
- * The whole file, or the part that a film asks for (RFC 9110, section 14): some browsers take no
+ * The whole file, or the part that a film requests (RFC 9110, section 14): some browsers take no
  * whole file for a part.
  */
 async function partialReply(stored: Response, { headers }: Request): Promise<Response> {

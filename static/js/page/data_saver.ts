@@ -1,6 +1,6 @@
 /**
  * Readers who pay for what is fetched, or wait long for it, or whose device has little memory, as the
- * page's head found: for them Python waits to be asked for, once in a visit. So it does where the tab
+ * page's head found: for them Python starts at their request, once in a visit. So it does where the tab
  * crashed twice in a row while Python started, each time.
  */
 
@@ -14,17 +14,17 @@ export function isMetered() {
   return "metered" in dataset;
 }
 
-/** Whether the reader has asked for little to be fetched. */
+/** Whether the browser requests reduced data usage. */
 export function savesData() {
   return dataset.metered === "saves";
 }
 
-/** Whether Python must not start before the reader asks. */
+/** Whether Python starts only at the reader's request. */
 export function isStartDeferred() {
   return "saving" in dataset;
 }
 
-/** Why Python waits, in words. */
+/** The text of why Python waits. */
 export function deferralReason() {
   return words(dataset.saving === "crashed" ? "figure.crashed" : "figure.data_saver");
 }
@@ -38,7 +38,7 @@ export function clearStartCount() {
   }
 }
 
-/** The reader has asked: until the visit ends, pages start Python as for others. */
+/** Start Python on all pages until the visit ends. */
 export function allowStart() {
   delete dataset.saving;
   try {

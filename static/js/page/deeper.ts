@@ -1,5 +1,5 @@
 /**
- * Sections beyond the first pass. Each is folded until it is asked for: by hand, by a link to what is
+ * Sections beyond the first pass. Each is folded until it is opened: by hand, by a link to what is
  * in it, or with all others by the choice in the chapter's header. The history knows which are open,
  * so that a reload or a return finds the page as it was left.
  */

@@ -69,13 +69,13 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
-/** Whether a click on a link asks for no more than to follow it: not for a new window, say. */
+/** Whether a click on a link follows it in this window. */
 export function isPlainClick(event: MouseEvent) {
   const { button, metaKey, ctrlKey, shiftKey, altKey } = event;
   return button === 0 && !(metaKey || ctrlKey || shiftKey || altKey);
 }
 
-/** What a `<script type="application/json">` of the page says. */
+/** The content of a `<script type="application/json">` of the page. */
 export function data(root: ParentNode, selector: string): any {
   return JSON.parse(find(root, selector, HTMLScriptElement).text);
 }

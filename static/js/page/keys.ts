@@ -5,7 +5,7 @@ import { openSearch } from "./search.ts";
 import { loadItem, saveItem } from "./storage.ts";
 
 const KEY = "single-keys";
-/** Where letters are typed, or keys have a meaning of their own. */
+/** Places where letters are typed, or keys have another meaning. */
 const IGNORED_IN = [
   "input:not([type=range], [type=checkbox], [type=radio], [type=file])",
   "select, textarea, [contenteditable]",
@@ -39,7 +39,7 @@ export function install() {
   });
 }
 
-/** Some keyboards need AltGr for brackets, which some systems tell as Control and Alt. */
+/** Some keyboards need AltGr for brackets, which some systems report as Control and Alt. */
 function isUnmodified(event: KeyboardEvent) {
   const { ctrlKey, altKey, metaKey, isComposing, defaultPrevented } = event;
   const modified = (ctrlKey || altKey) && !event.getModifierState("AltGraph");

@@ -12,7 +12,7 @@ import { showNotice } from "./notice.ts";
 import { isOfRelease } from "./release.ts";
 import { words } from "./words.ts";
 
-/** What a head says of its own page, or with addresses relative to it. */
+/** Parts of a head that describe its page, or have addresses relative to it. */
 const PAGE_METADATA = [
   'meta[name="description"]',
   'meta[property^="og:"]',
@@ -63,7 +63,7 @@ export function installParts(pageParts: Part[]) {
   document.addEventListener("click", (event) => {
     const link = closestTo(event, "a[href]", HTMLAnchorElement);
     const url = link && !event.defaultPrevented && isPlainClick(event) ? linkedPage(link) : null;
-    if (!url || document.querySelector("[data-unsaved]")) return; // of which the browser asks
+    if (!url || document.querySelector("[data-unsaved]")) return; // the browser asks for a confirmation
     event.preventDefault();
     saveScroll();
     turnTo(url, arriveAll, () => {
@@ -84,7 +84,7 @@ export function installParts(pageParts: Part[]) {
   addEventListener("toggle", saveScroll, true);
 }
 
-/** Whether the address is of the page that is shown, and not of one that is still fetched. */
+/** Whether the address is that of the present page, and not of one that is still fetched. */
 export function isAddressCurrent() {
   return location.pathname === currentPath;
 }

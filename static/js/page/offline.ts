@@ -15,7 +15,7 @@ const LONGEST_WAIT_MS = 60_000;
 /** Milliseconds between two requests for a new release. */
 const UPDATE_MS = 3_600_000;
 
-/** Ask for it in the background; where service workers are not to be had, nothing happens. */
+/** Store the book in the background, where the browser has service workers. */
 export function install() {
   const { offline, root = "" } = document.body.dataset;
   const workers = serviceWorkers();
@@ -61,7 +61,7 @@ async function fileProblem(address: string, otherwise: string = "") {
   return (data.kind === "other" && otherwise) || words(`runtime.${data.kind}`, data);
 }
 
-/** Say once in a visit why the book can only be read from the network. */
+/** Show once in a visit why the book can only be read from the network. */
 function reportNotStored({ controller }: ServiceWorkerContainer, reason: string) {
   if (controller || findOptional(document, ".notice", HTMLElement)) return;
   const key = `${STORAGE}not-stored`;
@@ -69,7 +69,7 @@ function reportNotStored({ controller }: ServiceWorkerContainer, reason: string)
     if (sessionStorage.getItem(key)) return;
     sessionStorage.setItem(key, "said");
   } catch {
-    // It is said of each page that is loaded.
+    // The message appears on each page that is loaded.
   }
   showNotice(words("page.not_stored", { reason }));
 }

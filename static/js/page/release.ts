@@ -3,7 +3,7 @@
 import { showNotice } from "./notice.ts";
 import { words } from "./words.ts";
 
-/** What browsers say of a script that is requested late and does not arrive. */
+/** Messages of browsers for a script that is imported late and does not arrive. */
 const MISSING = /dynamically imported module|[Ii]mporting a module script/;
 
 /** Whether a script that was requested late did not arrive, or is none. */
@@ -17,7 +17,7 @@ function isMissingScript(reason: unknown) {
  */
 const CURRENT = releaseFolders(document, location.href);
 
-/** Whatever a press asks for may have gone with its release, or its host: called once. */
+/** Offer a reload where a late import fails, as its release or host may be gone. Called once. */
 export function install() {
   addEventListener("unhandledrejection", async (event) => {
     if (!isMissingScript(event.reason)) return;

@@ -6,7 +6,7 @@
 
 import { findAll, findOptional } from "./dom.ts";
 
-/** Where a line of text is dear: the header leaves as one reads on, and comes as one goes back. */
+/** Small windows, in which the header leaves as one reads on and comes as one goes back. */
 const SMALL_SCREEN = matchMedia("(max-width: 60rem), (max-height: 30rem)");
 /** Scrolled, in pixels, before the header leaves or comes. */
 const SLACK = 24;
@@ -41,7 +41,11 @@ function updateHeader() {
   header.classList.toggle("away", !stays && isHeaderAway(header.classList.contains("away")));
 }
 
-/** Whether the header should be away, where it may, and `away` says that it is. */
+/**
+ * Whether the header should be away, where it may.
+ *
+ * @param away Whether it is.
+ */
 function isHeaderAway(away: boolean) {
   turnedAt = away ? Math.max(turnedAt, scrollY) : Math.min(turnedAt, scrollY);
   if (Math.abs(scrollY - turnedAt) <= SLACK) return away;
@@ -122,7 +126,7 @@ function watchScrollers() {
   sizes.disconnect();
   for (const box of document.querySelectorAll(SCROLLERS)) sizes.observe(box);
   // A font that comes late makes the contents wider, and not the box. What is not shown, as it is
-  // folded up, is not laid out for this: the observer tells of it once it is.
+  // folded up, is not laid out for this: the observer reports it once it is.
   document.fonts.ready.then(() =>
     toggleFocusable([...document.querySelectorAll(SCROLLERS)].filter(isVisible)),
   );
@@ -132,7 +136,7 @@ function isVisible(box: Element) {
   return box.checkVisibility?.({ contentVisibilityAuto: true }) ?? true;
 }
 
-/** All are looked at before one is changed, or the page would be laid out for each. */
+/** Sizes of all boxes are read before one is changed, or the page would be laid out for each. */
 function toggleFocusable(boxes: Element[]) {
   const wrong = boxes.filter((box) => isScrollable(box) !== box.hasAttribute("tabindex"));
   for (const box of wrong) {

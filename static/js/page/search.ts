@@ -50,7 +50,7 @@ function handleClick(event: MouseEvent) {
   else if (event.target === dialog || closestTo(event, "a, [data-close]", Element)) dialog.close();
 }
 
-/** Show what is found for the words as they are when all is at hand. */
+/** Show the results for the words that stand in the field once the index has arrived. */
 async function showResults(dialog: HTMLDialogElement) {
   const failed = find(dialog, ".search-failed", HTMLElement);
   const status = find(dialog, ".search-status", HTMLElement);

@@ -1,6 +1,6 @@
 /**
- * Small things worth remembering. What the browser does not store, denied or full as its storage may
- * be, is remembered until the page is left for good, and the reader is told of it once.
+ * Settings, answers and edits in the browser's storage. What it does not store, denied or full, lasts
+ * until the book is left, and a message appears once.
  */
 
 import { STORAGE } from "../book.js";
@@ -25,7 +25,7 @@ export const isAnswer: Check = (value) => {
 
 const isEdit: Check = (edit) => isObject(edit) && typeof edit.text === "string";
 
-/** What can be kept, by the beginning of its name; other things are checked where they are used. */
+/** Shapes of values by the beginning of their names; others are checked where they are used. */
 const SHAPES: Record<string, Check> = {
   quiz: (entry) =>
     isName(entry.edition) &&
@@ -37,23 +37,23 @@ const SHAPES: Record<string, Check> = {
   python: ({ edits }) => isObject(edits) && Object.values(edits).every(isEdit),
 };
 
-/** Whether a value, from the storage or from a file, has the shape of what is kept under `name`. */
+/** Whether a value, from storage or a file, has the shape of values under `name`. */
 export function hasValidShape(name: string, value: any): boolean {
   const [kind] = name.split(":", 1);
   return !Object.hasOwn(SHAPES, kind) || (isObject(value) && SHAPES[kind](value));
 }
 
-/** What could not be stored. */
+/** Values that could not be stored. */
 const unstored: Map<string, unknown> = new Map();
 
-/** What a reader would miss. */
+/** Names of values whose loss is reported. */
 const REPORTED = /^(quiz|predict|python|code):/;
 let isReported = false;
 
-/** Dispatched on `window` when something dear could not be stored, once. */
+/** Event on `window` when such a value could not be stored, once. */
 export const STORAGE_FAILED = "storage-failed";
 
-/** What was remembered under `key`, or null; what is too long or of another shape is dropped. */
+/** The value under `key`, or null; a value that is too long or of another shape is dropped. */
 export function loadItem(key: string): any {
   if (unstored.has(key)) return unstored.get(key);
   try {
@@ -67,7 +67,7 @@ export function loadItem(key: string): any {
   return null;
 }
 
-/** Remember `value` under `key`; null forgets. */
+/** Store a value under `key`; null removes it. */
 export function saveItem(key: string, value: unknown) {
   try {
     const text = JSON.stringify(value);
@@ -83,7 +83,7 @@ export function saveItem(key: string, value: unknown) {
   }
 }
 
-/** Follow what another tab remembers or forgets, by its key; null where all was forgotten. */
+/** Call `changed` with the key of a value that another tab stores or removes; null for all. */
 export function onOtherTabChange(changed: (key: string | null) => void) {
   addEventListener("storage", ({ key, storageArea }) => {
     if ((key !== null && !key.startsWith(STORAGE)) || storageArea === sessionStorage) return;
@@ -93,7 +93,7 @@ export function onOtherTabChange(changed: (key: string | null) => void) {
   });
 }
 
-/** All that was remembered under names that fit. */
+/** All values under names that fit. */
 export function storedItems(names: RegExp): Record<string, unknown> {
   let stored: string[] = [];
   try {
@@ -106,7 +106,7 @@ export function storedItems(names: RegExp): Record<string, unknown> {
   return Object.fromEntries(fitting.filter(([, value]) => value !== null));
 }
 
-/** Forget what was remembered under names that fit. */
+/** Remove the values under names that fit. */
 export function removeItems(names: RegExp) {
   for (const key of Object.keys(storedItems(names))) saveItem(key, null);
 }

@@ -1,5 +1,5 @@
 /**
- * The definition of a term, shown beside its mark while the mark is looked at: under the mouse, at
+ * The definition of a term, shown beside its mark: under the mouse, at
  * the focus, or after a tap. Escape puts it away. Without scripts the mark is a link to the
  * glossary, as it stays for a click.
  */

@@ -1,6 +1,6 @@
 /**
- * Light, dark, or as the system says; remembered. The inline script at the top of each page
- * applies the remembered theme before the first paint.
+ * Light, dark, or the theme of the system; stored. The inline script at the top of each page
+ * applies the stored theme before the first paint.
  */
 
 import { STORAGE } from "../book.js";
@@ -21,7 +21,7 @@ export function install() {
   });
 }
 
-/** Let every theme button say which theme is on. */
+/** Show the present theme on every theme button. */
 export function arrive() {
   const name = words(`theme.${currentTheme()}`);
   for (const button of findAll(document, ".theme-toggle", HTMLButtonElement)) {
@@ -36,7 +36,7 @@ function currentTheme(): Theme {
   return theme === "light" || theme === "dark" ? theme : "system";
 }
 
-/** From the system's theme to the other one, to the system's own by choice, and back. */
+/** The order of themes: the system's, the other one, the first by choice, and the system's again. */
 function nextTheme(): Theme {
   const [same, other]: Theme[] = DARK.matches ? ["dark", "light"] : ["light", "dark"];
   return { system: other, [other]: same, [same]: "system" as const }[currentTheme()];

@@ -1,4 +1,4 @@
-/** What scripts say, in the language of the book: `site_builder/languages/` has the texts. */
+/** Texts of scripts in the language of the book, from `site_builder/languages/`. */
 
 import { DECIMAL, WORDS } from "../book.js";
 
@@ -13,8 +13,8 @@ export function words(key: string, values: Record<string, string | number> = {})
 }
 
 /**
- * What the engine says, in the language of the book; what a scene, or Python itself, says is text.
- * As `simulations/engine/message.py`.
+ * A message of the engine, to be translated; messages of scenes and of Python are texts. As in
+ * `simulations/engine/message.py`.
  */
 export type Message = { key: string; values: Record<string, string> };
 

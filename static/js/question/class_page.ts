@@ -79,8 +79,7 @@ function trapOf(tried: StudentAttempts[]): [string, number] | null {
 
 let results: Result[] = [];
 
-/** Show what the files say in the place of what was shown; a student without a name is called as
- * the file is. */
+/** Show the answers of the files in place of earlier ones. A student without a name has that of the file. */
 export async function showClass(
   page: HTMLElement,
   files: Iterable<File>,

@@ -13,7 +13,7 @@ import { words } from "../page/words.ts";
 
 type Tally = { right: number; wrong: number; count: number };
 
-/** Tell it where the page has a place for it; of the book, once there is some. */
+/** Show it where the page has a place for it; of the book, once there is some. */
 export function showProgress() {
   const section = findOptional(document, "section.progress", HTMLElement);
   if (!section) return;

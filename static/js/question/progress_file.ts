@@ -1,6 +1,6 @@
 /**
  * Answers and guesses as a file: to keep them, or to take them to another device. What is read is
- * checked as a whole before any of it is kept.
+ * checked as a whole before any of it is stored.
  */
 
 import { STORAGE } from "../book.js";

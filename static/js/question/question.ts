@@ -1,10 +1,10 @@
-/** Questions as a page has them, and what a kind of them does in it. */
+/** Questions in a page, and the interface of their kinds. */
 
 import { findAll, data } from "../page/dom.ts";
 
 export type Option = { correct: boolean; explanation_html: string; value?: number };
 
-/** What a page has of a question; kinds add to it. */
+/** The data of a question in a page; kinds add to it. */
 export interface Question {
   id: string;
   kind: string;
@@ -20,7 +20,7 @@ export type Program = { code: string; reply: number };
 
 export interface Verdict {
   right: boolean;
-  /** What is said of it; by default no more than whether it is right. */
+  /** The text of the verdict; by default whether it is right. */
   words?: string;
   replies: Option[];
   /** Text after the replies. */
@@ -30,7 +30,7 @@ export interface Verdict {
 /** Words, or parts of the page. */
 export type Content = (Node | string)[];
 
-/** What one kind of question does. */
+/** The functions of one kind of question. */
 export interface Kind<Q extends Question = any, G extends Answer = any> {
   /** Listen for what it alone knows; called once. */
   install?: () => void;
@@ -38,11 +38,11 @@ export interface Kind<Q extends Question = any, G extends Answer = any> {
   prepare?: (form: HTMLFormElement, question: Q) => void;
   /** The answer, or null where there is none yet. */
   read: (form: HTMLFormElement, question: Q) => G | null | Promise<G>;
-  /** What is said where there is none. */
+  /** The message where there is none. */
   missing?: (question: Q) => string;
   /** Whether a stored answer can be one of this question. */
   fits: (question: Q, given: any) => boolean;
-  /** Show a stored answer; without it, answers are not kept as drafts. */
+  /** Show a stored answer; without it, answers are no drafts. */
   put?: (form: HTMLFormElement, given: G) => void;
   judge: (question: Q, given: G) => Verdict;
   /** Mark what is right and what is wrong; null where nothing is given. */

@@ -1,6 +1,6 @@
 /**
  * Questions and predictions: an answer is judged at once and explained. Most kinds work without
- * Python. A question can be answered again; a prediction is made once, or its answer asked for.
+ * Python. A question can be answered again; a prediction is made once, or its answer revealed.
  */
 
 import { errorText } from "../errors.ts";
@@ -23,7 +23,7 @@ import {
 
 export { leave } from "./drafts.ts";
 
-/** Null: the answer was asked for. */
+/** Null: the answer was revealed without a guess. */
 type AnswerOrNone = Answer | null;
 
 /** Listen on any page, now and after a change of chapter. */
@@ -80,7 +80,7 @@ function setUp(form: HTMLFormElement) {
   show(form, question, given);
 }
 
-/** Feedback is announced where it was asked for, and not where it is shown again. */
+/** Announce feedback to a new answer, and not where it is shown again. */
 function setAnnounced(form: HTMLFormElement, isAsked: boolean) {
   const feedback = find(form, ".feedback", HTMLElement);
   feedback.setAttribute("aria-live", isAsked ? "polite" : "off");
@@ -118,7 +118,7 @@ function forget() {
   restoreAll();
 }
 
-/** Judge what the form says: at once, but for the kind that asks Python. */
+/** Judge the form's answer: at once, but for the kind that needs Python. */
 function submit(form: HTMLFormElement) {
   const question = questionOf(form);
   const given = KINDS[question.kind].read(form, question);
@@ -200,11 +200,11 @@ function verdictElements({ right, words: specific, replies, remark }: Verdict, i
 
 function explanation({ correct, explanation_html: html }: Option) {
   const reason = element("div", `explanation ${correct ? "correct" : "wrong"}`);
-  reason.innerHTML = html; // the book's own, as its page has it
+  reason.innerHTML = html; // from the book's page
   return reason;
 }
 
-/** The prediction whose answer is asked for by this click, without a guess. */
+/** The prediction whose answer this click reveals, without a guess. */
 function revealedForm(event: MouseEvent) {
   const button = closestTo(event, "[data-reveal]", HTMLButtonElement);
   const id = button?.dataset.reveal || button?.closest("form")?.dataset.predict;

@@ -1,8 +1,8 @@
-/** Orders that are the reader's own: by chance once, then the same on every visit. */
+/** Orders drawn by chance for each reader, then the same on every visit. */
 
 import { loadItem, saveItem } from "../page/storage.ts";
 
-/** What this reader's orders come from; where nothing is remembered, as long as the page lasts. */
+/** The seed of this reader's orders; where nothing is stored, it lasts as long as the page. */
 let seed = "";
 
 /** The numbers from 0 to `count` − 1 in the reader's order of the things called `name`. */
@@ -13,7 +13,7 @@ export function shuffled(name: string, count: number) {
   return [...hashes.keys()].sort((one, other) => hashes[one] - hashes[other]);
 }
 
-/** What the orders of this reader follow from. */
+/** The stored seed of this reader's orders. */
 function readerSeed() {
   if (!seed) {
     const stored = loadItem("order");

@@ -4,7 +4,7 @@ import type { Mosaic } from "../runtime/messages.ts";
 import type { Cells, Developed, Metadata } from "./libraw.ts";
 
 /**
- * How LibRaw is to develop a mosaic so that its levels can be told: each quad one pixel of four
+ * LibRaw's settings for developing a mosaic so that its levels can be measured: each quad one pixel of four
  * colours, black subtracted and nothing else done.
  */
 export const LINEAR = {
@@ -18,7 +18,7 @@ export const LINEAR = {
   gamm: [1, 1, 0, 0, 0, 0],
   userFlip: 0,
 };
-/** Quads looked at for the level of black. */
+/** Quads sampled for the level of black. */
 const SAMPLES = 1000;
 /** Longer side of the picture that stands for the mosaic. */
 const PICTURE_PX = 512;
@@ -63,7 +63,7 @@ function asSensorLies({ width, height, flip }: Metadata) {
 
 /**
  * Whether the last row was not in the file: decoders fill it with one code for each of its two
- * colours. One near white may be that of light.
+ * colours. A code near white may be light.
  */
 export function isCutOff(about: Metadata, { data, raw_width, top_margin, left_margin }: Cells) {
   const [width, height] = asSensorLies(about);
@@ -109,7 +109,7 @@ function levelOf(
   return levels.sort((one, other) => one - other)[levels.length >> 1] ?? 0;
 }
 
-/** A small picture of the mosaic, in the camera's colours balanced as it says. */
+/** A small picture of the mosaic, in the camera's colours with its balance. */
 export function pictureOf({ color_data }: Metadata, linear: Developed): ImageData {
   const step = Math.max(1, Math.ceil(Math.max(linear.width, linear.height) / PICTURE_PX));
   const [width, height] = [linear.width, linear.height].map((side) => Math.floor(side / step));

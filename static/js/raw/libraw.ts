@@ -3,7 +3,7 @@
 import { unshare } from "./unshared.ts";
 import { FunctionOfParts } from "./without_eval.ts";
 
-/** What the book asks of LibRaw. */
+/** The part of LibRaw that the book uses. */
 export interface LibRaw {
   /** @throws For a file that it does not know. */
   open(file: Uint8Array, settings: Settings): void;
@@ -55,7 +55,7 @@ export class DecoderMissing extends Error {}
 
 /**
  * @param folder Absolute address of its files.
- * @param onSize Called with the bytes of its program that arrive, if the host says.
+ * @param onSize Called with the bytes of its program that arrive, if the host sends their number.
  * @throws {DecoderMissing}
  */
 export async function loadLibRaw(folder: string, onSize: (bytes: number) => void): Promise<LibRaw> {

@@ -1,4 +1,4 @@
-/** Raw files of cameras, decoded in a worker of their own, which is fetched when there is one. */
+/** Raw files of cameras, decoded in a separate worker, which is fetched for the first of them. */
 
 import { numeral, words } from "../page/words.ts";
 import { free } from "../runtime/free.ts";

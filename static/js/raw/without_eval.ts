@@ -6,7 +6,7 @@
 
 type Parts = Record<string, any>;
 
-/** In place of the browser's own: `new Function(names, body)` is called with a part for each name. */
+/** In place of the browser's `Function`: `new Function(names, body)` is called with a part for each name. */
 export function FunctionOfParts(names: string | string[], body: string) {
   const list = String(names).split(",");
   return (...parts: unknown[]) => {

@@ -42,7 +42,7 @@ const FOLDER = new URL("../../raw", import.meta.url).href;
 const MOST_MEGAPIXELS = 120;
 /** Larger pictures are developed at half their size, which takes a quarter of the memory. */
 const MOST_IN_FULL = 60;
-/** sRGB, balanced as the camera says, and no brighter than it was exposed: white is the sensor's. */
+/** sRGB, with the camera's balance and no brighter than exposed: white is the sensor's. */
 const AS_SHOT = {
   useCameraWb: 1,
   noAutoBright: 1,

@@ -1,7 +1,7 @@
 /**
- * What the worker loads beside the interpreter: the simulations, Python's library and numpy, in
- * chunks that `runtime.json` lists. What the page's first scene imports is fetched while the
- * interpreter starts, what its others import once that is drawn; anything else when Python asks for it.
+ * Loads what the worker needs beside the interpreter: the simulations, Python's library and numpy, in
+ * chunks that `runtime.json` lists. Imports of the page's first scene are fetched while the
+ * interpreter starts, those of its others once that is drawn; anything else when Python imports it.
  */
 
 import { LoadError, fetchWhole, findLoadError } from "./load_error.ts";
@@ -15,7 +15,7 @@ const TABLE = "runtime.json";
 const { XMLHttpRequest } = globalThis;
 const { hasOwn } = Object;
 
-/** What `runtime.json` says. */
+/** The content of `runtime.json`. */
 interface Table {
   integrity: Record<string, string>;
   scenes: Record<string, string[]>;
@@ -122,7 +122,7 @@ export class Chunks {
    * Fetch and unpack a chunk at once: Python is in the midst of importing from it. Where only the page
    * fetches, the chunk is noted as lacking.
    *
-   * @throws {LoadError} Also kept in `missed`, as Python reports an error of its own.
+   * @throws {LoadError} Also kept in `missed`, as Python reports another error.
    */
   fetchSynchronously(name: string) {
     if (typeof name !== "string" || this.#present.has(name)) return;

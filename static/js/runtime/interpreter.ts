@@ -11,7 +11,7 @@ const MACHINE_CODE = "pyodide.asm.wasm";
 const LIBRARY = "python.zip";
 
 /**
- * Have Python continue from the snapshot that the book ships, or start plainly where that fails.
+ * Continue from the snapshot that the book ships, or start plainly where that fails.
  *
  * @returns `python`: the module `simulations.browser`.
  * @throws {import("./load_error.ts").LoadError}
@@ -86,7 +86,7 @@ async function start(request: StartRequest, fromSnapshot: boolean) {
 }
 
 /**
- * Have Pyodide's own requests answered by what has been fetched and compiled.
+ * Answer Pyodide's requests by files that have been fetched and compiled.
  *
  * @param replies By address.
  * @param machineCode Of the interpreter.

@@ -6,8 +6,8 @@ import { trackArrival, fetchWhole } from "./load_error.ts";
  * Compile a file while it arrives. The browser caches the compiled code with its own copy of the file,
  * not with the service worker's, which passes on requests for only that copy.
  *
- * @param integrity Its hash: asked where the file does not compile.
- * @param cached Whether the browser may have a copy of its own.
+ * @param integrity Its hash, needed where the file does not compile.
+ * @param cached Whether the browser may have a copy.
  * @param fresh Whether that may be damaged.
  * @throws {import("./load_error.ts").LoadError}
  */

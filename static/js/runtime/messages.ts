@@ -52,7 +52,7 @@ export interface Picture {
   full_height: number;
   /** First bytes of the file, where a camera says how it took the picture. */
   head: Uint8Array;
-  /** JSON of what a raw file says of that, in place of its head. */
+  /** JSON of the same facts in a raw file, in place of its head. */
   facts?: string;
   mosaic?: Mosaic;
 }
@@ -66,7 +66,7 @@ export interface Mosaic {
   about: string;
 }
 
-/** What is kept of a photograph: what its scene's `read` found. */
+/** The result of a scene's `read` for a photograph. */
 export type Reading = { number: number; name: string; data: unknown };
 
 /** A function of `simulations.browser`. */
@@ -136,7 +136,7 @@ export const CALLS = {
     { sources: isOptional(isText) },
   ),
   render: call<FrameRequest, FrameReply>(FRAME, copyFrame, FRAME_VALUES),
-  /** The same by the reader's own code. */
+  /** The same by edited code. */
   render_edited: call<
     FrameRequest & { edits: string },
     FrameReply & { problem: any; printed: string }
@@ -262,5 +262,5 @@ export type Requests = {
 /** The reply of each call. */
 export type Replies = { [Name in CallName]: ReturnType<(typeof CALLS)[Name]["reply"]> };
 
-/** Longest that a frame by a reader's own code may take: milliseconds, or times the book's own. */
+/** Longest time of a frame by edited code: milliseconds, or a multiple of the book's time. */
 export const EDITED_LIMIT = { ms: 5000, times: 10 };

@@ -6,7 +6,7 @@ import type { Picture } from "./messages.ts";
 /** Rows that are drawn at a time: phones have no canvas as large as their photographs. */
 const BAND = 512;
 
-/** A picture that Python has drawn into an array of its own: there is no room for it twice. */
+/** A picture that is drawn into an array of Python's: there is no room for it twice. */
 export function drawable({ bitmap, ...about }: Picture) {
   return {
     ...about,

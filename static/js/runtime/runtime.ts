@@ -2,7 +2,7 @@
  * The page's side of the worker that runs Python.
  *
  * One call is in the worker at a time; the rest wait here, so that the most urgent goes next and a
- * worker that does not answer can be told from a busy one. Such a worker is replaced; waiting calls
+ * worker that does not answer differs from a busy one. Such a worker is replaced; waiting calls
  * stay.
  */
 
@@ -59,7 +59,7 @@ export function closedFailure() {
   return new RuntimeFailure("lost", words("runtime.closed"));
 }
 
-/** What figures need of a runtime. */
+/** The part of a runtime that figures use. */
 export interface Caller {
   call: <N extends CallName>(
     name: N,
@@ -159,7 +159,7 @@ export class Runtime {
     const leaving = this.#waiting.filter(({ request }) => request.figure === figure);
     this.#waiting = this.#waiting.filter((call) => !leaving.includes(call));
     for (const call of leaving) call.reject(new RuntimeFailure("lost", words("runtime.gone")));
-    // In a task of its own, after what the next page's figures ask.
+    // In a later task, after the requests of the next page's figures.
     setTimeout(() => {
       if (this.#worker) this.call("forget", { figure }, () => LAST).catch(() => {});
     });
@@ -179,7 +179,7 @@ export class Runtime {
     return { what: isStart ? "python" : "frame", file: "" };
   }
 
-  /** Replace a worker that keeps the reader waiting; what waits for it stays. */
+  /** Replace a worker that keeps the reader waiting; calls that wait stay. */
   restart() {
     const call = this.#active;
     if (call?.name === "start") {

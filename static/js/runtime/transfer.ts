@@ -16,7 +16,7 @@ export function copyFrame(frame: any): FrameReply {
   }
 }
 
-/** A frame by the reader's own code, or what is wrong with that code; `printed` is what it printed. */
+/** A frame by edited code, or the mistake in it; `printed` is its output. */
 export function copyEdited(edited: any): FrameReply & { problem: any; printed: string } {
   try {
     const { problem, printed, frame } = edited;

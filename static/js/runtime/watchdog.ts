@@ -1,6 +1,6 @@
 /**
  * Notices that a worker does not answer. Only time in which it could run counts: not an hour in which
- * the computer slept, or the tab was hidden and its timers were held back.
+ * the computer slept, or the tab was hidden and its timers were delayed.
  */
 
 /** Milliseconds between two looks at the clock; a gap of more than twice as many was sleep. */

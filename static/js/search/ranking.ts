@@ -15,7 +15,7 @@ interface Section {
   introduced: string[];
   /** Terms of the glossary and symbols that it explains. */
   explains: string[];
-  /** Words by which readers look for it. */
+  /** Phrases by which readers search for it. */
   asked: string[];
   text: string;
   figures: string;
@@ -47,18 +47,18 @@ const BOOST = {
 };
 /** Letters from which a word that the book has not may be misspelt, once and twice. */
 const MISSPELT = { once: 6, twice: 12 };
-/** Letters of a word that may be the beginning of others, where more than one is asked for. */
+/** Letters of a word that may be the beginning of others, in a query of several words. */
 const BEGINNING = 4;
 /** Weights of words that only begin as the query, or are only similar. */
 const WEIGHTS = { prefix: 0.3, fuzzy: 0.2 };
-/** Long sections are not held against a term that they repeat: they explain it. */
+/** The length of a section counts little: one that repeats a term explains it. */
 const BM25 = { k: 2, b: 0.3, d: 0.5 };
 /** Factors for a whole query found in one piece; `part`: in a longer term that is explained, or such
  * a term in it. */
 const WHOLE = { explained: 10, part: 3, term: 2, title: 1.8, text: 1.25 };
 /** For what stands before a chapter's first heading: there things are named, to be explained later. */
 const OPENING = 0.6;
-/** For an entry of the glossary: it says in a line what a section explains. */
+/** For an entry of the glossary: it states in a line what a section explains. */
 const ENTRY = 0.4;
 /** For the last section of the book; the first has 1. What comes again was explained before. */
 const LAST = 0.9;

@@ -1,4 +1,4 @@
-/** What is found for the words in the search dialog, as a list of links. */
+/** The results of the search dialog, as a list of links. */
 
 import { element, find } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
@@ -16,7 +16,7 @@ export interface Index {
 /** Links that are shown at once. */
 const MOST = 20;
 
-/** A module that could not be fetched is not asked for again at the same address. */
+/** A browser does not fetch a failed module again at the same address. */
 let attempts = 0;
 
 /** The index, opened, or an error where it, or what opens it, cannot be fetched. */

@@ -1,9 +1,9 @@
-/** What counts as a word: in the index, in what is looked for, and in an excerpt. */
+/** Words of the index, of queries, and of excerpts. */
 
 /** How words of a language are compared. */
 export interface Language {
   stem: (word: string) => string;
-  /** Words that tell nothing of what is looked for. */
+  /** Words that are not searched for. */
   stopWords: Set<string>;
   /** Words that count as another one: `blurry` as `blur`. */
   synonyms: Map<string, string>;
