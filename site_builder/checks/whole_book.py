@@ -196,7 +196,7 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
                 problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
 
 
-UNDECLARED = ("\\pi",)
+UNDECLARED = ("\\pi", "e")
 """What every reader knows."""
 
 

@@ -14,6 +14,9 @@ from pathlib import Path
 from simulations.engine.message import legible
 from site_builder.diagnostics.blame import place_in, place_of, settings_of, words_of
 
+BELOW = "all below"
+TARGETS = ("unknown target", "unknown anchor", "unknown figure of this page", "is cited nowhere")
+"""What follows where labels, figures or citations are lost."""
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
 
@@ -33,7 +36,8 @@ class Diagnostic:
     met: str = field(default="", compare=False)
     """Where an exception of an author's code was met first; it is reported once."""
     spoils: tuple[str, ...] = field(default=(), compare=False)
-    """What follows from it: other mistakes with one of these in their path or message."""
+    """What follows from it: other mistakes with one of these in their path or message; with `BELOW`
+    among them, all that stand below it in its file."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "message", legible(self.message))
@@ -94,12 +98,16 @@ class BuildError(Exception):
 
 def without_following(found: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
     """Those that would stay if the others were mended: not what a mistake spoils."""
-    spoilt = {phrase: one for one in found for phrase in one.spoils}
+    causes = [one for one in found if one.spoils]
     for one in found:
-        if not any(
-            s in (one.path, one.message) or s in one.message for s in spoilt if spoilt[s] is not one
-        ):
+        if not any(_follows(one, cause) for cause in causes if cause is not one):
             yield one
+
+
+def _follows(one: Diagnostic, cause: Diagnostic) -> bool:
+    if BELOW in cause.spoils and one.path == cause.path and one.line > cause.line:
+        return True
+    return any(phrase == one.path or phrase in one.message for phrase in cause.spoils)
 
 
 def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic:
@@ -140,9 +148,14 @@ def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
     listed = ", ".join(names[:MOST_LISTED]) or "none"
     rest = len(names) - MOST_LISTED
     every = f"{listed} and {rest} more" if rest > 0 else listed
-    return f"unknown {kind} {given!r}; " + (
-        f"did you mean {near!r}?" if near else f"legal: {every}"
+    return f"unknown {kind} {_quoted(given)}; " + (
+        f"did you mean {_quoted(near)}?" if near else f"legal: {every}"
     )
+
+
+def _quoted(name: str) -> str:
+    """As `repr`, with the backslashes of TeX as they stand."""
+    return repr(name).replace(r"\\", "\\")
 
 
 def cause(error: Exception) -> str:

@@ -13,7 +13,7 @@ const FUNCTION = /^([fgh]|\p{L}{2,}\d?)$/u;
 const ROWS = "mrow|math|mtd|msqrt|mstyle|mpadded";
 const [INVISIBLE_TIMES, APPLY, CROSS, DOT] = ["\u2062", "\u2061", "⨯", "∙"];
 const PASSES = [
-  [rows, units],
+  [rows, units, evaluations],
   [tokens, accents, scripts, digits, products, bars, lines, ending],
 ];
 
@@ -24,6 +24,10 @@ export const BEHIND = [
   "inverse",
   "conjugate",
   "star",
+  "at",
+  "from",
+  "to",
+  "percent",
   ...Object.values(UNITS),
 ];
 
@@ -50,6 +54,7 @@ function rows(node) {
 function tokens(node) {
   for (const child of children(node)) {
     if (is(child, "mi|mtext", /^\p{L}$/u)) swap(child, element(child, "mi", text(child)));
+    if (is(child, "mi|mo", /^%$/)) swap(child, element(child, "mtext", "percent"));
     if (is(child, "mi", /^[/|.]$/)) swap(child, element(child, "mo", text(child)));
   }
 }
@@ -60,6 +65,20 @@ function accents(node) {
   if (text(accent) === "→")
     swap(node, element(node, "mrow", base, element(node, "mtext", "vector")));
   else accent.textContent = ACCENTS[text(accent)] ?? text(accent);
+}
+
+/** A bar with limits: what stands before it is taken at a place, or from one to another. */
+function evaluations(node) {
+  if (!is(node, "msub|msubsup")) return;
+  const [base, ...limits] = children(node);
+  const parts = is(base, "mo") ? [base] : children(base).filter(text);
+  const before = children(node.parentNode);
+  const others = [...parts.slice(0, -1), ...before.slice(0, before.indexOf(node))];
+  const isBar = (part) => is(part, "mo", /^[|∣]$/);
+  if (!isBar(parts.at(-1)) || others.filter(isBar).length % 2) return; // of a norm
+  const words = limits.length > 1 ? ["from", "to"] : ["at"];
+  const said = limits.flatMap((limit, place) => [element(node, "mo", words[place]), limit]);
+  swap(node, element(node, "mrow", ...parts.slice(0, -1), ...said));
 }
 
 /** Degrees, transposes, inverses and conjugates are no powers; an index such as 12 is two numbers. */
@@ -83,7 +102,8 @@ function scripts(node) {
 
 function wordOf(power, base) {
   if (/^[∘°]$/.test(power)) return base === "1" ? "degree" : "degrees";
-  if (power === "⊤") return "transpose";
+  if (power === "⊤" || power === "𝖳") return "transpose";
+  if (power === "T" && (/^[\p{Lu}([]/u.test(base) || BOLD.test(base))) return "transpose";
   if (power === "−⊤") return "inverse transpose";
   if (power === "−1" && !/^[\d.a-z]+$/.test(base)) return "inverse";
   if (power === "∗") return BOLD.test(base) ? "conjugate" : "star";

@@ -32,6 +32,7 @@ const REPLACED = [
   [/ slash /g, " over "],
   [/(?<=\bcap Delta) times/g, ""],
   [new RegExp(` times(?= (?:${BEHIND.join("|")})\\b)`, "g"), ""],
+  [/\bat of (?=open)/g, "at "],
   [/(?<!\bcap )\b[A-Z]\b/g, "cap $&"],
   [/\s+/g, " "],
 ];
@@ -86,5 +87,35 @@ function withOurSigns(json) {
   const maps = JSON.parse(json);
   for (const sign of Object.values(maps).filter(Array.isArray).flat())
     if (sign.key in SIGNS) sign.mappings = { default: { default: SIGNS[sign.key] } };
+  for (const name of Object.keys(maps).filter((key) => /clearspeak_(base|english)/.test(key)))
+    mend(maps[name].rules);
   return maps;
+}
+
+const SIMPLE = 'contains(children/*[1]/@annotation, "clearspeak:simple")';
+/** What its rules leave out: only parentheses are silent around a letter or number, and rounding and
+ * numbers of choices have words of their own. */
+function mend(rules) {
+  for (const rule of rules) {
+    if (/^paren-simple(-exp)?$/.test(rule[1]) && rule[0] === "Precondition")
+      rule.push('content/*[1]/text()="("');
+    if (rule[1] === "binomial" && rule[0] === "Precondition") rule[2] = "Matrix_EndMatrix";
+  }
+  const hasActions = rules.some((rule) => rule[0] === "Action" && rule[1] === "paren-simple");
+  const hasConditions = rules.some((rule) => rule[1] === "paren-simple" && rule[0] !== "Action");
+  for (const [sign, name] of [
+    ["⌊", "floor"],
+    ["⌈", "ceiling"],
+  ]) {
+    const is = ["self::fenced", '@role="leftright"', `content/*[1]/text()="${sign}"`];
+    const begin = `[t] "the ${name} of"; [n] children/*[1]`;
+    if (hasConditions) {
+      rules.push(["Precondition", name, "default", ...is]);
+      rules.push(["Precondition", `${name}-simple`, "default", ...is, SIMPLE]);
+    }
+    if (hasActions) {
+      rules.push(["Action", name, `${begin}; [t] "end ${name}"`]);
+      rules.push(["Action", `${name}-simple`, begin]);
+    }
+  }
 }

@@ -23,9 +23,15 @@ from site_builder.programs.node import NODE, NodeError, installed_packages
 COMMAND = re.compile(r"\\([A-Za-z]+)")
 
 
+COMMA = re.compile(r"\\(?:text\w*|mbox|pu|ce|tag|class)\*?\{(?:[^{}]|\{[^{}]*\})*\}|(?<=\d),(?=\d)")
+"""Commas between digits, outside of text: Temml would make one number of both."""
+
+
 def common_tex(tex: str) -> str:
-    r"""``%``, which begins a comment in TeX, as a percent sign, and ``\bm`` by its other name."""
+    r"""``%``, which begins a comment in TeX, as a percent sign, ``\bm`` by its other name, and
+    lists of numbers, ``(0,4)``, with a space behind the comma."""
     tex = re.sub(r"\\bm\b", r"\\boldsymbol", tex)
+    tex = COMMA.sub(lambda found: f"{found[0]} " if found[0] == "," else found[0], tex)
     return re.sub(r"\\.|%", lambda sign: r"\%" if sign[0] == "%" else sign[0], tex)
 
 

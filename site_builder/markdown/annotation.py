@@ -8,6 +8,7 @@ from markdown_it.token import Token
 
 from site_builder.diagnostics.blame import raised_by_code
 from site_builder.diagnostics.diagnostic import unknown
+from site_builder.document.book import OUTLINE
 from site_builder.document.places import Link, Passage, chapter_id, passage
 from site_builder.formulae.temml import UnsupportedTexError, to_mathml
 from site_builder.markdown.calculation import BLOCK, compute_formula, define_names, or_problem
@@ -18,6 +19,9 @@ from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import code_html
 from site_builder.markdown.text.tokens import displayed_parts, glue_formulae, located, plain_text
 
+DEFINITION = re.compile(
+    r"\\(?:(?:re|provide)?newcommand|[gex]?def|DeclareMathOperator)\*?\s*\{?\\([A-Za-z]+)"
+)
 ROLE_NAMES = tuple(role.name for role in ROLES)
 BARE_ROLE = re.compile(r"\{([\w-]+)\}(?!`)")
 
@@ -35,8 +39,8 @@ def inline_passage(markdown: str, line: int, context: ParseContext) -> Passage:
     """One line of Markdown, such as a directive's title, without a paragraph."""
     env = {"references": context.env.get("references", {})}
     tokens = context.shared.parser.parseInline(markdown, env)
-    for _, message in env.pop("problems", ()):
-        context.problem(line, message)
+    for _, message, *spoils in env.pop("problems", ()):
+        context.problem(line, message, spoils=tuple(spoils))
     for token in tokens:
         token.map = [line - 1, line]
     annotate(tokens, context)
@@ -44,6 +48,13 @@ def inline_passage(markdown: str, line: int, context: ParseContext) -> Passage:
 
 
 def _set_formula(token: Token, line: int, context: ParseContext) -> None:
+    if definition := DEFINITION.match(token.content.strip()):
+        name = definition[1]
+        message = (
+            f"'\\{name}' is defined in a formula; legal: {name} = '…' in [macros] of {OUTLINE}"
+        )
+        context.problem(line, message, spoils=(f"unsupported TeX command '\\{name}'",))
+        return
     tex = or_problem(lambda: compute_formula(token.content, context), line, context)
     if tex is None:
         return
@@ -124,7 +135,9 @@ def _drop_html(token: Token, line: int, context: ParseContext) -> None:
     if context.shared.raw_html and not markup.startswith("<!--"):
         return
     start = markup.partition("\n")[0][:40]
-    if not markup.startswith("<!--"):
+    if markup.startswith("</"):  # what it ends is reported
+        token.content = ""
+    elif not markup.startswith("<!--"):
         context.problem(line, f"raw HTML {start!r}; legal: Markdown and directives")
     elif not markup.endswith("-->"):
         message = "a comment that is not closed, or not at the end of a line"

@@ -146,8 +146,8 @@ class ParsedChapter:
 def parse_chapter(text: str, context: ParseContext) -> ParsedChapter:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
     tokens = context.shared.parser.parse(text, context.env)
-    for line, message in context.env.pop("problems", ()):
-        context.problem(line, message)
+    for line, message, *spoils in context.env.pop("problems", ()):
+        context.problem(line, message, spoils=tuple(spoils))
     for line, message in context.env.pop("doubts", ()):
         context.problems.warn(context.path, line, message)
     matter = read_front_matter(tokens, context)

@@ -12,7 +12,6 @@ import unicodedata
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
 from typing import Any
 
 from markdown_it.rules_core import StateCore
@@ -44,11 +43,12 @@ def heading_ids_rule(state: StateCore) -> None:
 
 def list_headings(tokens: Sequence[Token], context: ParseContext) -> None:
     """Give the page its list of headings, which have their ids."""
-    for opening, inline in pairwise(tokens):
+    for opening, inline, closing in zip(tokens, tokens[1:], tokens[2:], strict=False):
         if opening.type != "heading_open":
             continue
         line, level = (opening.map or [0])[0] + 1, int(opening.tag[1])
         text = plain_text(inline)
+        closing.meta["title"] = text
         if not text:
             context.problem(line, "heading without words; legal: '## Some words'")
         if opening.markup in ("-", "="):

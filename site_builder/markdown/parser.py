@@ -1,7 +1,7 @@
 """The Markdown of the book: CommonMark and what is added to it, in order. Each rule has a file."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from types import MappingProxyType
 from typing import Any
@@ -12,6 +12,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.footnote import footnote_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
 
+from site_builder.diagnostics.diagnostic import BELOW, TARGETS
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directive import Directive, DirectiveCall, OptionValue
 from site_builder.markdown.directives import DIRECTIVES
@@ -21,12 +22,29 @@ from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.dialects import dialects_rule, unknown_directive
 from site_builder.markdown.text.stray_marks import stray_marks_rule
-from site_builder.markdown.text.tokens import typography_rule
+from site_builder.markdown.text.tokens import displays_rule, typography_rule
 
 OPENING = re.compile(r"(:{3,})\{([\w-]+)\}[ \t]*(.*)")
 CLOSING = re.compile(r"(:{3,})[ \t]*")
 OPTION = re.compile(r":([A-Za-z_][\w-]*):[ \t]*(.*)")
 CODE_FENCE = re.compile(r"`{3,}|~{3,}")
+
+
+def displayed_rule(
+    rule: Callable[[StateBlock, int, int, bool], bool],
+    state: StateBlock,
+    start: int,
+    end: int,
+    silent: bool,
+) -> bool:
+    """The ``rule`` of displayed formulae, which may end a paragraph: it leaves no tokens where it
+    is only asked whether one begins."""
+    count, line = len(state.tokens), state.line
+    found = rule(state, start, end, silent)
+    if silent:
+        del state.tokens[count:]
+        state.line = line
+    return found
 
 
 def _line(state: StateBlock, line: int) -> str:
@@ -47,13 +65,20 @@ def directive_rule(
     if not opening:
         _complain(state, start, _stray(text))
         attributes = re.match(r"(:{3,})\s*\{\.", text)  # of another tool, whose end is no mistake
-        last = _find_end(state, start, end, len(attributes[1])) if attributes else start
+        last = _find_end(state, start, end, len(attributes[1]))[0] if attributes else start
         state.line = min(last + 1, end)
         return True
     fence, name, argument = opening.groups()
-    last = _find_end(state, start, end, len(fence))
-    if last == end:
-        _complain(state, start, f"directive {{{name}}} is never closed; close it with {fence!r}")
+    last, in_code = _find_end(state, start, end, len(fence))
+    if last == end and not in_code:  # else the code is never closed
+        _complain(
+            state,
+            start,
+            f"directive {{{name}}} is never closed; close it with {fence!r}",
+            BELOW,
+            f"{{{name}}} is empty",
+            *TARGETS,
+        )
     if name not in directives:
         _complain(state, start, unknown_directive(name, directives))
     options, body = _read_options(state, start + 1, last)
@@ -71,8 +96,8 @@ def _stray(text: str) -> str:
     return f"{text!r} is no directive; legal: ':::{{name}} argument'"
 
 
-def _find_end(state: StateBlock, start: int, end: int, length: int) -> int:
-    """Line of the closing fence, or ``end`` where there is none."""
+def _find_end(state: StateBlock, start: int, end: int, length: int) -> tuple[int, bool]:
+    """Line of the closing fence, or ``end`` where there is none; and whether code stands there."""
     depth, code = 1, ""
     for line in range(start + 1, end):
         text = _line(state, line)
@@ -85,8 +110,8 @@ def _find_end(state: StateBlock, start: int, end: int, length: int) -> int:
             if len(fence[1]) == length:
                 depth += 1 if "{" in text else -1
             if depth == 0:
-                return line
-    return end
+                return line, False
+    return end, bool(code)
 
 
 def _read_options(state: StateBlock, start: int, end: int) -> tuple[dict[str, OptionValue], int]:
@@ -117,12 +142,12 @@ def _push(
     state.push("directive_close", "", -1).block = True
 
 
-def _complain(state: StateBlock, line: int, message: str) -> None:
-    state.env.setdefault("problems", []).append((line + 1, message))
+def _complain(state: StateBlock, line: int, message: str, *spoils: str) -> None:
+    state.env.setdefault("problems", []).append((line + 1, message, *spoils))
 
 
 ENDED_BY_DIRECTIVES = ["paragraph", "reference", "blockquote", "list", "footnote_def"]
-"""Blocks that need no empty line before a directive."""
+"""Blocks that need no empty line before a directive or a displayed formula."""
 
 
 def make_parser(
@@ -135,7 +160,18 @@ def make_parser(
     parser.enable(["table", "smartquotes"])
     parser.use(front_matter_plugin).use(footnote_plugin)
     # Labels as written: what is no label is reported.
-    parser.use(dollarmath_plugin, allow_space=False, allow_digits=False, label_normalizer=str)
+    parser.use(
+        dollarmath_plugin,
+        allow_space=False,
+        allow_digits=False,
+        allow_blank_lines=False,
+        double_inline=True,
+        label_normalizer=str,
+    )
+    displayed = next(rule for rule in parser.block.ruler.__rules__ if rule.name == "math_block")
+    parser.block.ruler.at(
+        "math_block", partial(displayed_rule, displayed.fn), {"alt": ENDED_BY_DIRECTIVES}
+    )
     # Each before the rule that would otherwise take, or change, what is meant for it.
     directives = {item.name: item for item in (*book_boxes(boxes), *DIRECTIVES)}
     roles = partial(role_rule, {role.name: role for role in ROLES})
@@ -147,6 +183,7 @@ def make_parser(
     parser.core.ruler.after("normalize", "dialects", dialects)
     parser.core.ruler.before("smartquotes", "typography", typography_rule)
     parser.core.ruler.before("typography", "heading_ids", heading_ids_rule)
+    parser.core.ruler.after("inline", "displays", displays_rule)
     # Before escaped characters, which are meant, are joined with the text around them.
     parser.core.ruler.before("text_join", "stray_marks", stray_marks_rule)
     return parser

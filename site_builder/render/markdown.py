@@ -60,7 +60,8 @@ class MarkdownRenderer:
             case "hr":
                 return "---"
             case "footnote":
-                return f"{node.meta['id'] + 1}. {self._blocks(node.children)}"
+                mark = f"{node.meta['id'] + 1}. "
+                return f"{mark}{indent(self._blocks(node.children), ' ' * len(mark)).lstrip()}"
             case "html_block":
                 return node.content.strip()
             case "footnote_anchor":

@@ -49,6 +49,9 @@ def screen_renderer(words: Words) -> PassageRenderer:
             **RULES,
             "heading_close": partial(heading_close, words),
             "table_open": partial(table_open, words),
+            "footnote_ref": partial(footnote_reference, words),
+            "footnote_anchor": partial(footnote_anchor, words),
+            "footnote_block_open": partial(footnotes_open, words),
         }
     )
 
@@ -110,9 +113,42 @@ def heading_open(token: Token) -> str:
 def heading_close(words: Words, token: Token) -> str:
     """After it a link to the section, which is no part of the heading's name."""
     target: Target = token.meta["target"]
-    label = escape(words("frame.link_to", title=target.title))
+    label = escape(words("frame.link_to", title=token.meta.get("title", target.title)))
     link = f'<a class="anchor" href="#{target.id}" aria-label="{label}"></a>'
     return f"</{token.tag}>{link}</div>\n"
+
+
+def footnote_reference(words: Words, token: Token) -> str:
+    number = token.meta["id"] + 1
+    label = escape(words("frame.footnote", number=number))
+    return (
+        f'<sup class="footnote-ref"><a href="#fn{number}" id="fnref{_reference(token)}"'
+        f' role="doc-noteref" aria-label="{label}">[{number}]</a></sup>'
+    )
+
+
+def _reference(token: Token) -> str:
+    """A reference to a footnote, in its id: ``1``; ``1:1`` for the next one to the same note."""
+    number, again = token.meta["id"] + 1, token.meta.get("subId", 0)
+    return f"{number}:{again}" if again > 0 else f"{number}"
+
+
+def footnote_anchor(words: Words, token: Token) -> str:
+    """The way back from a note."""
+    place = f"{token.meta['id'] + 1}-{token.meta.get('subId', 0) + 1}"
+    label = escape(words("frame.back_to_reference", number=place))
+    return (
+        f' <a href="#fnref{_reference(token)}" class="footnote-backref" role="doc-backlink"'
+        f' aria-label="{label}">↩\ufe0e</a>'
+    )
+
+
+def footnotes_open(words: Words, _token: Token) -> str:
+    label = escape(words("frame.footnotes"))
+    return (
+        f'<hr class="footnotes-sep" />\n<section class="footnotes" role="doc-endnotes"'
+        f' aria-label="{label}">\n<ol class="footnotes-list">\n'
+    )
 
 
 def code(token: Token) -> str:

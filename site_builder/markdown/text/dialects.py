@@ -4,11 +4,15 @@ so that places stay right. What has another name here is said to have it (`CALLE
 
 import re
 from collections.abc import Collection, Iterator
+from functools import partial
 
 from markdown_it.rules_core import StateCore
 
-from site_builder.diagnostics.diagnostic import unknown
+from site_builder.diagnostics.diagnostic import TARGETS, unknown
+from site_builder.document.places import chapter_id
 
+type Problem = tuple[int, *tuple[str, ...]]
+"""A line, a message about it, and what follows from the mistake."""
 KINDS = {
     "admonition seealso proof theorem definition lemma": "'note', 'tip', 'warning' or 'key-idea'",
     "solution": "'quiz', 'predict' or 'exercise' with its answers",
@@ -41,8 +45,19 @@ TEX_LABEL = re.compile(r"\\label\{([^}]*)\}")
 BEGIN = re.compile(r"\\begin\{(equation|align|gather|multline|eqnarray)(\*?)\}(.*)|\\\[()()(.*)")
 INSIDE = {"equation": "", "gather": "gathered", "multline": "gathered"}
 COMMAND = re.compile(r"\\(cite\w*|(?:eq)?ref|begin|end|label|textbf|emph|footnote)\{[^}\n]*\}")
-APART = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)|\$\$.*?\$\$|\$[^$]+\$")
+CODE_OR_FORMULA = r"(?P<tick>`+)(?!`).*?(?<!`)(?P=tick)(?!`)|\$\$.*?\$\$|(?<!\\)\$(?:\\.|[^$\\])+\$"
+APART = re.compile(CODE_OR_FORMULA)
 """Code and formulae within a line."""
+TARGET = r"(?:(?P<file>[\w-]+\.md))?(?:#(?P<anchor>[\w:.-]+))?"
+RUNNING = re.compile(
+    rf"(?P<apart>{CODE_OR_FORMULA})"
+    r"|(?<!\\)\\\((?P<tex>.+?)\\\)"
+    r"|(?<!\\)\\\[(?P<display>(?=\s|.*?[=^_\\].*?\\\]).+?)\\\]"
+    rf"|(?<![!\]\\])\[(?P<words>\s*|[^\]\[]*%s[^\]\[]*)\]\({TARGET}\)"
+    r"|(?<![!\]\\])(?P<empty>\[\s*\]\([^)\s]*\))"
+)
+"""Formulae as LaTeX has them, and MyST's links, which are filled with what they lead to."""
+LOOKS_LIKE_TEX = re.compile(r"[\\^_=]").search
 AFTER = re.compile(r"\$\$\s*\{#([\w:.-]+)\}\s*$")
 
 
@@ -61,6 +76,7 @@ def dialects_rule(ours: Collection[str], state: StateCore) -> None:
     code = [*_code(lines, ours, problems)]
     for place, line in enumerate(lines):
         if not code[place]:
+            line = RUNNING.sub(partial(_running, "|" in line, place + 1, problems), line)
             lines[place] = AFTER.sub(lambda found: f"$$ ({_ours(found[1])})", ROLE.sub(_role, line))
             if LABEL.fullmatch(line):
                 _label(lines, place)
@@ -69,9 +85,7 @@ def dialects_rule(ours: Collection[str], state: StateCore) -> None:
     state.src = "\n".join(lines)
 
 
-def _code(
-    lines: list[str], ours: Collection[str], problems: list[tuple[int, str]]
-) -> Iterator[bool]:
+def _code(lines: list[str], ours: Collection[str], problems: list[Problem]) -> Iterator[bool]:
     """Whether each line is code to be read, its fences included. Others' cells become plain code,
     which is reported."""
     marker, outer = "", list[str]()
@@ -115,6 +129,23 @@ def _role(found: re.Match[str]) -> str:
     return f"{{ref}}`{own}`" if is_plain else f"{{ref}}`{words}<{own}>`"
 
 
+def _running(in_table: bool, line: int, problems: list[Problem], found: re.Match[str]) -> str:
+    """What `RUNNING` finds, in our form. In a table the bar of a norm would end a cell."""
+    apart, tex, display, words = found.group("apart", "tex", "display", "words")
+    if apart:
+        return apart.replace("\\|", "\\Vert{}") if in_table and apart[0] == "$" else apart
+    if tex or display:
+        return f"${tex.strip()}$" if tex else f"$${display.strip()}$$"
+    file, anchor = found.group("file", "anchor")
+    if file or anchor:
+        target = "#".join(filter(None, (file and chapter_id(file), anchor and _ours(anchor))))
+        shown = words.strip().replace("%s", "{number}")
+        return f"{{ref}}`{shown} <{target}>`" if shown else f"{{ref}}`{target}`"
+    message = f"{found[0]!r} is a link without words; legal: '[words](…)'"
+    problems.append((line, message))
+    return "words"
+
+
 def _label(lines: list[str], place: int) -> None:
     """Give it to the heading, formula or directive below."""
     found = LABEL.fullmatch(lines[place])
@@ -132,7 +163,7 @@ def _label(lines: list[str], place: int) -> None:
         lines[place : below + 1] = [*[""] * (below - place - 1), text, f":label: {name}"]
 
 
-def _equations(lines: list[str], code: list[bool], problems: list[tuple[int, str]]) -> None:
+def _equations(lines: list[str], code: list[bool], problems: list[Problem]) -> None:
     """Environments outside of dollars; other commands there are reported."""
     end = -1
     for place, line in enumerate(lines):
@@ -140,8 +171,13 @@ def _equations(lines: list[str], code: list[bool], problems: list[tuple[int, str
         if code[place] or place <= end:
             continue
         if text.startswith("$$") and text.count("$$") == 1:
-            closed = (n for n in range(place + 1, len(lines)) if "$$" in lines[n])
-            end = next(closed, len(lines))
+            blank = next((n for n in range(place, len(lines)) if not lines[n].strip()), len(lines))
+            end = next((n for n in range(place + 1, blank) if "$$" in lines[n]), -1)
+            if end < 0:
+                later = next((n for n in range(blank, len(lines)) if "$$" in lines[n]), 0)
+                between = [text for text in lines[blank:later] if text.strip()]
+                end = later if later and all(map(LOOKS_LIKE_TEX, between)) else blank - 1
+                _drop_formula(lines, place, end, problems)
         elif begin := BEGIN.fullmatch(text):
             name, star, rest = (begin[n] or begin[n + 3] or "" for n in (1, 2, 3))
             closing = f"\\end{{{name}{star}}}" if name else "\\]"
@@ -162,6 +198,19 @@ def _equations(lines: list[str], code: list[bool], problems: list[tuple[int, str
                 problems.append((place + 1, f"{found[0]!r} outside of a formula; legal: {said}"))
 
 
+def _drop_formula(lines: list[str], place: int, end: int, problems: list[Problem]) -> None:
+    """Report a ``$$`` without its other end, and drop what would be read as text: the lines to the
+    empty one, and those above that look like TeX."""
+    expected = "a second '$$', with no empty line between"
+    problems.append((place + 1, f"'$$' opens or closes no formula; legal: {expected}", *TARGETS))
+    first = place
+    while first and lines[first - 1].strip() and LOOKS_LIKE_TEX(lines[first - 1]):
+        first -= 1
+    lines[first : end + 1] = [""] * (end + 1 - first)
+    above = [one for one in problems if first < one[0] <= place]
+    problems[:] = [one for one in problems if one not in above]
+
+
 def _fences(lines: list[str], code: list[bool], ours: Collection[str]) -> None:
     closing: list[tuple[str, str]] = []
     for place, line in enumerate(lines):
@@ -174,7 +223,7 @@ def _fences(lines: list[str], code: list[bool], ours: Collection[str]) -> None:
             marker, name, rest = fence.groups()
             if name == "math":
                 label = re.fullmatch(r":label:\s*(\S+)", lines[place + 1].strip())
-                lines[place : place + 2] = ["$$", "" if label else lines[place + 1]]
+                lines[place : place + 2] = ["", "$$"] if label else ["$$", lines[place + 1]]
                 closing.append((marker, f"$$ ({_ours(label[1])})" if label else "$$"))
             else:
                 lines[place] = f"{':' * len(marker)}{{{name}}}{rest}"

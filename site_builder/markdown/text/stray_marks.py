@@ -8,6 +8,7 @@ from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
+from site_builder.diagnostics.diagnostic import BELOW, TARGETS
 from site_builder.markdown.text.tokens import children_located
 
 NOT_KEPT = "may change; better: '{ref}`TARGET`', or a citation"
@@ -32,6 +33,12 @@ SLIPS = tuple(
             r"((?<![\w@.])@(?:fig|tbl|sec|eq|lst)-[\w-]+)",
             "means nothing here; legal: '{ref}`TARGET`'",
         ),
+        *(
+            (pattern, "means nothing here; legal: a formula, '$…$'")
+            for pattern in (r"(\w+~[^~\s]+~)(?!~)", r"(\w+\^[^\^\s]+\^)")
+        ),
+        (r"(\+\+[^+\s](?:[^+\n]*[^+\s])?\+\+)", "means nothing here; legal: '*…*'"),
+        (r"(?<=\S )(:[a-z][a-z_]+:)(?![\w:/])", "means nothing here; legal: the sign itself"),
         (
             r"(\{\{[^}\n]*\}\}|(?<!\\)\{(?:#|\.[\w:-])[^}\n]*\}?"
             r"|~~[^~\s][^~\n]*~~|==[^=\s](?:[^=\n]*[^=\s])?==|\[\[[^\]\n]+\]\]|\[!\w+\]"
@@ -61,9 +68,20 @@ LINE_SLIPS = tuple(
             r"(:[a-z_][\w-]*:?)(?:$|[\s=])",
             "is no option here; legal: ':name: value' below the opening line of a directive",
         ),
+        (r"(\d\d?[.)] \S[^\n]*)", "begins no list; legal: an empty line above it"),
     )
 )
 """Likewise at the start of a line."""
+OUTSIDE_LISTS = (
+    (
+        re.compile(r"^(: \S.*)", re.MULTILINE),
+        "defines nothing here; legal: content/glossary.toml, or '**word**: …'",
+    ),
+)
+"""Likewise, but not in the answers of questions, which are explained so."""
+TASKS = ((re.compile(r"^(\[[ xX]\] .*)"), "is no task; legal: an item without the box"),)
+"""Likewise in a list that is no question's."""
+QUESTIONS = {"quiz", "predict", "exercise"}
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 
 
@@ -72,11 +90,22 @@ def stray_marks_rule(state: StateCore) -> None:
     lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
     doubts = state.env.setdefault("doubts", [])
-    line = 1
+    line, around = 1, list[str]()
     for token in state.tokens:
         line = token.map[0] + 1 if token.map else line
         match token.type:
+            case "directive_open":
+                around.append(token.meta["call"].name)
+            case "list_item_open":
+                around.append("item")
+            case "directive_close" | "list_item_close":
+                around.pop()
             case "inline":
+                slips = OUTSIDE_LISTS if around[-1:] != ["item"] else TASKS
+                for pattern, expected in () if QUESTIONS & {*around} else slips:
+                    for found in pattern.finditer(token.content):
+                        place = line + token.content.count("\n", 0, found.start())
+                        problems.append((place, f"{found[1]!r} {expected}"))
                 if token.content.startswith("|"):
                     head = token.content.partition("\n")[0]
                     expected = "one '---' below each of its heads"
@@ -86,7 +115,7 @@ def stray_marks_rule(state: StateCore) -> None:
                 problems.append((line, "indented text; legal: at the margin, or between '```'"))
             case "fence" if not _is_closed(token, lines):
                 message = f"code is never closed; close it with {token.markup!r}"
-                problems.append((line, message))
+                problems.append((line, message, BELOW, *TARGETS))
             case "table_open":
                 problems += _in_table(token, lines)
     problems += _lost_footnotes(state, lines)

@@ -18,15 +18,16 @@ GROUP = r"\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}"
 LETTER = rf"(?:[A-Za-z]|\\(?:{'|'.join(GREEK)})(?![A-Za-z]))"
 WORDS = re.compile(
     r"\\(?:text|mathrm|operatorname\*?|begin|end|role|mathit|texttt)\s*\{[^{}]*\}'?"
-    r"(?:_(?:\{[^{}]*\}|\w))?"
+    r"(?:_(?:\{[^{}]*\}|\w))?|\\math(?:rm|sf)\s*(?:[A-Za-z]|\{T\})"
 )
+"""Among them an upright d, and the mark of a transpose."""
 NO_SYMBOLS = re.compile(
     r"\\\\\s*\[[^]]*\]|\\begin\{array\}\s*\{[^{}]*\}|\\(?:[hv]space|color|ce|pu)\s*\{[^{}]*\}"
     r"|\\textcolor\s*\{[^{}]*\}|\\[hmk]?kern?\s*[\d.]+\s*(?:em|ex|mu|pt)"
 )
 """Lengths, columns, colours and formulae of chemistry."""
 WORD_IN_INDEX = re.compile(r"_(?:\{([^{}]*?))?\\(?:text|mathrm)\{([^{}]*)\}(?(1)\})")
-DIFFERENTIAL = re.compile(rf"(?<=\\,)\s*d(?=\s*{LETTER})")
+DIFFERENTIAL = re.compile(rf"(?:(?<=\\[,;!])|(?<=frac\{{)|(?<=\}}\{{))\s*d(?=\s*{LETTER})")
 SYMBOL = re.compile(
     rf"(?P<over>\\(?:{'|'.join(OVER)})(?![A-Za-z])\s*(?:{GROUP}|{LETTER})|\\Delta\s*{LETTER}|{LETTER})"
     rf"(?:'|\^\\prime)*(?:_(?P<index>{GROUP}|\\text\s*{GROUP}|\\?[A-Za-z]+|\d))?"

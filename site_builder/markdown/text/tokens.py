@@ -6,6 +6,7 @@ it would turn an enumeration's "(c)" into a copyright sign.)
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import accumulate, pairwise
 
 from markdown_it.rules_core import StateCore
@@ -51,6 +52,9 @@ UNITS = "nm|µm|mm|cm|m|km|px|dB|rad|ms|s|Hz|EV|DN|kB|MB"
 """Units that stay on the line of their number."""
 
 REPLACEMENTS = (
+    (re.compile(r"(\d)'(\s?\d+(?:\.\d+)?)\""), "\\1′\\2″"),
+    (re.compile(r"(?<=[)\]])'(?=s\b)|(?<!\w)'(?=\d\d(?:s|\b)|(?:tis|twas|til|em)\b)", re.I), "’"),
+    (re.compile(r"(?<!\w)'n'(?!\w)", re.I), "’n’"),
     (re.compile(r"(?<!-)---(?!-)"), "—"),
     (re.compile(r"(?<!-)--(?!-)"), "–"),
     (re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
@@ -65,6 +69,43 @@ def typography_rule(state: StateCore) -> None:
             if token.type == "text":
                 for pattern, character in REPLACEMENTS:
                     token.content = pattern.sub(character, token.content)
+
+
+def displays_rule(state: StateCore) -> None:
+    """Formulae between ``$$`` within a line are displayed, between the parts of their paragraph;
+    within a heading or a cell of a table they stay."""
+    tokens: list[Token] = []
+    for token in state.tokens:
+        doubles = [child for child in token.children or () if child.type == "math_inline_double"]
+        if doubles and tokens[-1].type == "paragraph_open":
+            tokens += _parted(tokens.pop(), token)
+        else:
+            for child in doubles:
+                child.type = "math_inline"
+            tokens.append(token)
+    state.tokens = tokens
+
+
+def _parted(opening: Token, inline: Token) -> Iterator[Token]:
+    """The paragraph without its end, its displayed formulae behind their parts."""
+    part: list[Token] = []
+    first = line = (inline.map or [0])[0] + 1
+    closing = Token("paragraph_close", "p", -1, level=opening.level, hidden=opening.hidden)
+
+    def begun() -> Iterator[Token]:
+        yield replace(opening, map=[first - 1, line])
+        yield replace(inline, children=[*part], content="", map=[first - 1, line])
+
+    for child, line in children_located(inline, first):
+        if child.type == "math_inline_double":
+            yield from (*begun(), closing) if part else ()
+            place = [line - 1, line]
+            block = replace(child, type="math_block", map=place, level=opening.level, block=True)
+            yield block
+            part, first = [], line
+        elif part or child.type != "softbreak":
+            part.append(child)
+    yield from begun()
 
 
 OPENING = re.compile(r"[(\[“‘„‚]+$")
