@@ -61,6 +61,25 @@ def levels_of(develop: Callable[[Floats], NDArray[np.uint8]]) -> list[Photograph
     return [photograph(k, develop(light_of(level, k))) for k, level in numbered]
 
 
+CURVES: dict[str, Callable[[Floats], Floats]] = {
+    "steeper middle tones": lambda codes: codes - 0.1 / (2 * np.pi) * np.sin(2 * np.pi * codes),
+    "gamma": lambda codes: codes**1.15,
+    "shoulder": lambda codes: 1 - (1 - codes) ** 1.2,
+    "slight shoulder": lambda codes: 1 - (1 - codes) ** 1.08,
+}
+
+
+@pytest.mark.parametrize("name", CURVES)
+def test_colour_file_with_a_tone_curve_gives_no_gain(name: str) -> None:
+    """It would be off by 7 to 35 %, and the bend be called the sensor's."""
+    toned = measured(
+        levels_of(lambda light: np.rint(255 * CURVES[name](as_srgb(light) / 255)).astype(np.uint8))
+    )
+    for sensor in toned["sensor"].values():
+        assert "tone curve" in sensor.gain.reason
+        assert "tone curve" in sensor.bend.reason
+
+
 def grey(level: float, seed: tuple[int, int]) -> NDArray[np.uint8]:
     rng = np.random.default_rng(seed)
     light = rng.poisson(level * 5.0, (200, 200)) / 5.0 + rng.normal(16.0, 1.0, (200, 200))

@@ -26,8 +26,11 @@ from simulations.models.sensor.photon_transfer_pair import Level
 FEWEST_LEVELS = 3
 MOST_CLIPPED = 0.001
 """Share of the pixels at an end of the scale, above which part of the noise is cut off."""
-MOST_CORRELATED = 0.01
-"""Correlation of neighbours, above chance: the gain would be some 4 % too large."""
+MOST_CORRELATED, MOST_SMOOTHED = 0.01, 0.06
+"""Correlation of neighbours, above chance: the gain would be some 4 % too large. The latter in raw
+files, where the noise that was smoothed away is added again."""
+UNSURE = 0.15
+"""Standard error of that, as a share: smoothing may reach farther than to the next cells."""
 MOST_OFF_LINE = 0.1
 """Largest residual of a variance, as a share of the line."""
 SATURATED_NOISE = 0.1
@@ -35,6 +38,10 @@ SATURATED_NOISE = 0.1
 NOT_DARK = (
     "No whole pair is dark, and a file’s own black level may be some codes off: take a pair with "
     "the lens cap on."
+)
+CLIPPED_DARK = (
+    "The darkest pair is clipped at black, and half of its noise is missing: the camera, or its "
+    "raw converter, cuts off what lies below."
 )
 UNSATURATED = "No pair is saturated: take a brighter one."
 LARGEST_PATTERN = 0.05
@@ -141,12 +148,14 @@ def characterise(
     *,
     dark: bool = True,
     bend: float = 0.0,
+    single: tuple[float, float] | None = None,
 ) -> SensorEstimate:
     """The sensor of the levels, whose code without light is ``black_dn``.
 
     If that is only stated (``dark`` false), not measured, there is no read noise: a DN changes it.
     ``bend`` is the standard deviation of b: 0 for a sensor whose response is known to be straight,
-    and otherwise `BEND`, which makes the gain less certain.
+    and otherwise `BEND`, which makes the gain less certain. With ``single``, what `single_cells`
+    found, variances are those of single cells again.
 
     Lines are fitted to the levels up to the share ``most`` of saturation, to the nearest per cent.
     Errors are those of random noise, enlarged where levels scatter more about the line. From twelve
@@ -162,18 +171,20 @@ def characterise(
     chosen = [level for level, use in zip(levels, fitted, strict=True) if use]
     if len(chosen) < FEWEST_LEVELS or np.ptp(mean[fitted]) == 0:
         return _silent(_too_few(levels, fitted, within), fitted)
-    noise = _noise_line(mean[fitted], chosen, 3 * bend / full)
+    share, share_error = single or (1.0, 0.0)
+    noise = _times(_noise_line(mean[fitted], chosen, 3 * bend / full), share, share_error)
     bent = _bend(noise, full)
     straightened = mean[fitted] * (1 - bent.value * mean[fitted] / full)
-    pattern = _pattern_line(straightened, chosen)
-    reason = _why_no_gain(mean[fitted], chosen, noise)
+    pattern = _times(_pattern_line(straightened, chosen), share, share_error)
+    most_alike = MOST_SMOOTHED if single else MOST_CORRELATED
+    reason = _why_no_gain(mean[fitted], chosen, noise, share, most_alike)
     if reason:
         return _silent(reason, fitted, noise, pattern)
     gain = Estimate(1 / noise.slope, math.sqrt(noise.covariance[1, 1]) / noise.slope**2)
     return SensorEstimate(
         gain=gain,
-        read_noise=_read_noise(noise) if dark else Estimate.unknown(NOT_DARK),
-        saturation=_saturation(mean, levels, noise),
+        read_noise=_read_noise(noise, share) if dark else Estimate.unknown(_why_not_dark(levels)),
+        saturation=_saturation(mean, levels, noise, share),
         prnu=_prnu(pattern, chosen[0].pixels, 0.5 * most * bent.error),
         dsnu=_dsnu(pattern, gain.value, chosen[0].pixels),
         fitted=fitted,
@@ -184,9 +195,30 @@ def characterise(
     )
 
 
+def single_cells(levels: Sequence[Level]) -> tuple[float, float]:
+    """Variance of the noise of single cells by that of raw files that some cameras smooth, and its
+    standard error: a mean over neighbours leaves the sum of all covariances as it was.
+
+    ``levels`` are those of all planes.
+    """
+    whole = [level for level in levels if _is_whole(level)]
+    if not whole:
+        return 1.0, 0.0
+    near = float(np.mean([level.neighbours for level in whole]))
+    far = float(np.mean([level.farther for level in whole]))
+    chance = 4 / math.sqrt(sum(level.pixels for level in whole))  # of four lags, twice
+    beyond = max(abs(far) - math.sqrt(2) * chance, 0.0)  # of eight lags
+    return 1 + near, math.hypot(chance, UNSURE * near, beyond)
+
+
 def _is_whole(level: Level) -> bool:
     """Whether all of the noise is in the codes."""
     return level.clipped <= MOST_CLIPPED and level.noise_in_codes >= LEAST_VARIANCE_DN2
+
+
+def refused(sensor: SensorEstimate, reason: str) -> SensorEstimate:
+    """The same lines, without numbers."""
+    return _silent(reason, sensor.fitted, sensor.noise, sensor.pattern)
 
 
 def _silent(
@@ -259,18 +291,28 @@ def _fit(x: Floats, y: Floats, error: Floats, curvature: float = 0.0) -> Line:
     return Line(start, slope, covariance, curve)
 
 
-def _why_no_gain(mean: Floats, levels: Sequence[Level], line: Line) -> str:
-    """What speaks against the line as that of a sensor; empty if nothing does."""
+def _times(line: Line, share: float, error: float) -> Line:
+    """A line of variances times a share that has a standard error."""
+    found = np.array([line.start, line.slope, line.curvature])[: len(line.covariance)]
+    covariance = share**2 * line.covariance + error**2 * np.outer(found, found)
+    return Line(share * line.start, share * line.slope, covariance, share * line.curvature)
+
+
+def _why_no_gain(
+    mean: Floats, levels: Sequence[Level], line: Line, share: float, most_alike: float
+) -> str:
+    """What speaks against the line as that of a sensor; empty if nothing does. Its variances are
+    those of the levels times a share."""
     correlation = float(np.mean([level.correlation for level in levels]))
     chance = 4 / math.sqrt(2 * sum(level.pixels for level in levels))
-    if abs(correlation) > MOST_CORRELATED + chance:
+    if abs(correlation) > most_alike + chance:
         return (
             f"Neighbouring pixels share {100 * correlation:.0f} % of their noise: the file was "
             "interpolated, smoothed or sharpened. Only a raw file has the noise of the cells."
         )
     if not line.slope > 0:
         return "The noise does not rise with the light: the file was smoothed, or is saturated."
-    noise = np.array([level.noise_dn2 for level in levels])
+    noise = share * np.array([level.noise_dn2 for level in levels])
     expected = line.at(mean)
     off = float(np.max(np.abs(noise - expected) / np.maximum(expected, line.slope)))
     if off > MOST_OFF_LINE:
@@ -284,7 +326,13 @@ def _why_no_gain(mean: Floats, levels: Sequence[Level], line: Line) -> str:
     return ""
 
 
-def _read_noise(line: Line) -> Estimate:
+def _why_not_dark(levels: Sequence[Level]) -> str:
+    darkest = min(levels, key=lambda level: level.mean_dn)
+    return CLIPPED_DARK if darkest.clipped > MOST_CLIPPED else NOT_DARK
+
+
+def _read_noise(line: Line, share: float) -> Estimate:
+    """Rounding may have undone the smoothing in the dark, so its error has all that was added."""
     start, slope = line.start, line.slope
     error = math.sqrt(line.covariance[0, 0])
     if start < SURE * error:
@@ -295,7 +343,8 @@ def _read_noise(line: Line) -> Estimate:
         return Estimate(most, math.nan, reason, "below")
     root = math.sqrt(start)
     by = np.array([0.5 / (root * slope), -root / slope**2])
-    return Estimate(root / slope, math.sqrt(by @ line.covariance[:2, :2] @ by))
+    error = math.sqrt(by @ line.covariance[:2, :2] @ by)
+    return Estimate(root / slope, math.hypot(error, 0.5 * (share - 1) * root / slope))
 
 
 def _row_noise(levels: Sequence[Level], gain: float) -> Estimate:
@@ -318,8 +367,8 @@ def _bend(line: Line, full: float) -> Estimate:
     return Estimate(-share * line.curvature, share * math.sqrt(line.covariance[2, 2]))
 
 
-def _saturation(mean: Floats, levels: Sequence[Level], line: Line) -> Estimate:
-    noise = np.array([level.noise_dn2 for level in levels])
+def _saturation(mean: Floats, levels: Sequence[Level], line: Line, share: float) -> Estimate:
+    noise = share * np.array([level.noise_dn2 for level in levels])
     full = noise < line.start + SATURATED_NOISE * line.slope * mean
     full &= mean > 0
     full &= mean == mean.max()

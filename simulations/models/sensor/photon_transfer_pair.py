@@ -13,9 +13,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats, centred
+from simulations.models.sensor.photon_transfer import LEAST_VARIANCE_DN2
 
 TREND_TERMS = 6
 """Terms of a polynomial of second degree in x and y."""
+BESIDE = ((0, 1), (1, 0))
+LAGS = (
+    *BESIDE,
+    (1, 1),
+    (1, -1),
+    *((2, across) for across in range(-2, 3)),
+    (0, 2),
+    (1, 2),
+    (1, -2),
+)
+"""From a cell to half of the 24 around it; the others are opposite to these."""
+PILED = 0.05
+"""Share of the pixels at the last code that occurs, from which on codes are clipped there: of noise
+that is not lost in rounding, a thousandth have it."""
 FEWEST_PIXELS = 64
 """Least pixels of a frame; fewer give a variance to a fifth of it at best."""
 
@@ -40,8 +55,12 @@ class Level:
     """Correlation of the noise of neighbouring pixels beside that of whole rows and columns: 0 for
     cells read one by one."""
     clipped: float
-    """Share of the pixels at the lowest or the highest code."""
+    """Share of the pixels at an end of the scale, or at the last code that occurs, if many are."""
     pixels: int
+    neighbours: float = 0.0
+    """Sum of the correlations with all eight neighbours, likewise."""
+    farther: float = 0.0
+    """The same of the sixteen cells around these."""
     row_dn2: float = 0.0
     """Part of the variance of noise that all pixels of a row share. Below 0 if there is none."""
     row_error_dn2: float = 0.0
@@ -71,8 +90,9 @@ def measure_pair(
     step = _step(frames)
     rounding = step**2 * float(np.mean(np.gradient(light)[frames] ** 2)) / 12
     apart = first.astype(float) - second
-    at_an_end = np.count_nonzero((frames == 0) | (frames == highest))
+    noise_in_codes = float(apart.var(ddof=1)) / (2 * step**2)
     rows, columns = (_shared(difference, 2 * noise, axis) for axis in (1, 0))
+    shares = _correlations(difference, 2 * noise, rows, columns)
     bands = [max(each, 0.0) / 2 for each in (rows, columns)]
     few = [band * math.sqrt(2 / side) for band, side in zip(bands, first.shape, strict=True)]
     return Level(
@@ -83,14 +103,22 @@ def measure_pair(
         pattern_error_dn2=math.hypot(
             math.sqrt(noise * (noise + 2 * max(pattern, 0.0)) / free), *few
         ),
-        noise_in_codes=float(apart.var(ddof=1)) / (2 * step**2),
-        correlation=_correlation(difference, 2 * noise, rows, columns),
-        clipped=at_an_end / frames.size,
+        noise_in_codes=noise_in_codes,
+        correlation=float(np.mean([shares[lag] for lag in BESIDE])),
+        neighbours=2 * sum(shares[lag] for lag in (*BESIDE, (1, 1), (1, -1))),
+        farther=2 * sum(share for lag, share in shares.items() if 2 in map(abs, lag)),
+        clipped=_clipped(frames, highest, noise_in_codes >= LEAST_VARIANCE_DN2),
         pixels=first.size,
         row_dn2=rows / 2,
         row_error_dn2=(noise / first.shape[1] + bands[0]) * math.sqrt(2 / first.shape[0]),
         step=step,
     )
+
+
+def _clipped(frames: NDArray[np.unsignedinteger], highest: int, noisy: bool) -> float:
+    """Share of the pixels at an end of the scale, or where others of the noise are missing."""
+    ends = [(end, float(np.mean(frames == end))) for end in {int(frames.min()), int(frames.max())}]
+    return sum(share for end, share in ends if end in (0, highest) or (noisy and share > PILED))
 
 
 def _step(frames: NDArray[np.unsignedinteger]) -> float:
@@ -125,16 +153,15 @@ def _terms(height: int, width: int) -> Floats:
     return np.stack([np.ones_like(x), x, y, x * x, x * y, y * y]).reshape(TREND_TERMS, -1)
 
 
-def _correlation(difference: Floats, variance: float, rows: float, columns: float) -> float:
-    """Correlation of neighbours along rows and columns; 0 for frames that do not differ."""
-    if variance == 0:
-        return 0.0
-    products = [
-        product.mean() - shared
-        for product, shared in (
-            (difference[:, 1:] * difference[:, :-1], rows),
-            (difference[1:] * difference[:-1], columns),
-        )
-        if product.size
-    ]
-    return float(np.mean(products)) / variance
+def _correlations(
+    difference: Floats, variance: float, rows: float, columns: float
+) -> dict[tuple[int, int], float]:
+    """Correlations of cells (down, across) apart, of `LAGS`; 0 for frames that do not differ."""
+    found, (height, width) = {}, difference.shape
+    for down, across in LAGS:
+        first = difference[down:, max(across, 0) : width + min(across, 0)]
+        second = difference[: height - down, max(-across, 0) : width - max(across, 0)]
+        shared = rows * (down == 0) + columns * (across == 0)
+        product = float((first * second).mean()) if first.size and variance else shared
+        found[down, across] = (product - shared) / (variance or 1.0)
+    return found

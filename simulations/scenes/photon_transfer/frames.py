@@ -20,16 +20,21 @@ from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
+from simulations.models.color.tone_curve import FEWEST, tone_by_exposures
 from simulations.models.sensor import photon_transfer_file as files
 from simulations.models.sensor.photon_counting import Sensor
 from simulations.models.sensor.photon_transfer_file import COLOURS, HIGHEST
 from simulations.models.sensor.photon_transfer_fit import (
     BEND,
     LOSSY,
+    SURE,
+    Estimate,
     SensorEstimate,
     black_of_dark,
     characterise,
+    refused,
     saturation_above,
+    single_cells,
 )
 from simulations.models.sensor.photon_transfer_frames import (
     Cells,
@@ -61,6 +66,14 @@ WORTH_SAYING_DN = 0.2  # difference of two black levels
 DARK = 0.01 * HIGHEST
 """Added to the mean of a raw file's light for the test whether that is even: with black taken off,
 a dark picture has nothing but noise."""
+MOST_BENT, MOST_TONED = 0.05, 0.02
+"""Bend of the response, and strength of a tone curve by exposures, above which a colour file does
+not have the light of sRGB; the gain would be off by twice as much."""
+TONED = (
+    "The file has a tone curve on top of sRGB, so that its codes do not tell the light: take raw "
+    "files, or the camera’s neutral style."
+)
+TOO_FEW = f"A tone curve needs {FEWEST} exposures whose files say how long they were."
 TOO_SMALL = f"The photograph is smaller than {SMALLEST} × {SMALLEST} pixels; take a larger one."
 SCALED = (
     "The photograph was scaled down, which averages its noise; save the middle of it as a file of "
@@ -338,8 +351,12 @@ def measure(frames: Frames, plane: str, pairs: tuple[Pair, ...]) -> Measured:
 
 
 def fit(levels: dict[str, Measured], frames: Frames, most: int) -> dict[str, SensorEstimate]:
-    """The simulated sensor's response is known to be straight."""
-    return {
+    """The simulated sensor's response is known to be straight. Of colour files the light is known
+    only if they have no tone curve: a sensor does not bend so much, nor by the exposures."""
+    single = None
+    if frames.response is None and not frames.is_simulated:
+        single = single_cells([level for plane in levels.values() for level in plane.levels])
+    found = {
         plane: characterise(
             measured.levels,
             measured.black_dn,
@@ -347,9 +364,28 @@ def fit(levels: dict[str, Measured], frames: Frames, most: int) -> dict[str, Sen
             most / 100,
             dark=measured.dark,
             bend=0.0 if frames.is_simulated else BEND,
+            single=single,
         )
         for plane, measured in levels.items()
     }
+    if frames.response is None or not frames.names:
+        return found
+    tone, main = tone_of(frames, levels), found[frames.main]
+    is_toned = abs(tone.value) > max(MOST_TONED, SURE * tone.error)  # false for NaN
+    if is_toned or abs(main.bend.value) > MOST_BENT:
+        return {
+            plane: refused(sensor, sensor.gain.reason or TONED) for plane, sensor in found.items()
+        }
+    return found
+
+
+def tone_of(frames: Frames, levels: Mapping[str, Measured]) -> Estimate:
+    """How much steeper the middle tones of the files are than those of sRGB."""
+    if frames.response is None or frames.is_simulated:
+        return Estimate.unknown("Only pictures with codes in sRGB have a tone curve.")
+    main = levels[frames.main]
+    found = tone_by_exposures(main.mean_dn / main.span_dn, np.array(frames.exposures))
+    return Estimate(*found) if found else Estimate.unknown(TOO_FEW)
 
 
 def choose(frames: Frames, photograph: Photograph | None, light: int) -> int:

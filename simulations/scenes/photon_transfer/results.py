@@ -9,10 +9,15 @@ import numpy as np
 from simulations.engine.export import Export
 from simulations.engine.frame import Readout, format_number, readout, value_with_error
 from simulations.engine.stages import Outputs
-from simulations.models.color.tone_curve import FEWEST, tone_by_exposures
 from simulations.models.sensor.photon_transfer_fit import Estimate, SensorEstimate
 from simulations.models.sensor.photon_transfer_standard import by_the_standard
-from simulations.scenes.photon_transfer.frames import GAIN_E_PER_DN, Frames, Measured, Settings
+from simulations.scenes.photon_transfer.frames import (
+    GAIN_E_PER_DN,
+    Frames,
+    Measured,
+    Settings,
+    tone_of,
+)
 
 UNKNOWN = "cannot be told"
 QUANTITIES = (
@@ -30,7 +35,6 @@ STANDARD = (
     ("dynamic_range", "Dynamic range (EMVA 1288)", ": 1", 1.0),
     ("linearity_error", "Linearity error by exposure times (EMVA 1288)", "%", 100.0),
 )
-TOO_FEW = f"A tone curve needs {FEWEST} exposures whose files say how long they were."
 HEAD = (
     "plane,first,second,mean_dn,noise_dn2,noise_error_dn2,pattern_dn2,pattern_error_dn2,"
     "correlation,clipped_share,fitted"
@@ -61,15 +65,6 @@ def standard_of(frames: Frames, outputs: Outputs, plane: str) -> Mapping[str, Es
         "dynamic_range": found.dynamic_range,
         "linearity_error": found.linearity_error,
     }
-
-
-def tone_of(frames: Frames, outputs: Outputs) -> Estimate:
-    """How much steeper the middle tones of the files are than those of sRGB."""
-    if frames.response is None or frames.is_simulated:
-        return Estimate.unknown("Only pictures with codes in sRGB have a tone curve.")
-    levels: Measured = outputs["levels"][frames.main]
-    found = tone_by_exposures(levels.mean_dn / levels.span_dn, np.array(frames.exposures))
-    return Estimate(*found) if found else Estimate.unknown(TOO_FEW)
 
 
 def value_of(estimate: Estimate, scale: float = 1.0) -> str:
@@ -142,7 +137,7 @@ def lines(frames: Frames, outputs: Outputs) -> Iterator[Readout]:
             words = f"{UNKNOWN}. {estimate.reason}"
             given.add(estimate.reason)
         yield Readout(name, label.partition(",")[0], words, unit_of(estimate, unit))
-    if not (tone := tone_of(frames, outputs)).reason:
+    if not (tone := tone_of(frames, outputs["levels"])).reason:
         steeper = value_with_error(100 * tone.value, 100 * tone.error)
         yield Readout("tone", "Middle tones steeper than in sRGB by", steeper, "%")
     yield Readout("pixels", "Pixels", main)
@@ -199,7 +194,7 @@ def json_file(settings: Settings, outputs: Outputs) -> str:
         "pairs": [list(names) for names in frames.names],
         "left_over": frames.left_over,
         "model": frames.model,
-        "tone_curve": as_json(tone_of(frames, outputs)),
+        "tone_curve": as_json(tone_of(frames, outputs["levels"])),
         "fitted_up_to_share": settings.most / 100,
         "planes": {
             plane: {

@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from scipy.ndimage import convolve, uniform_filter
 from support.charts import DSNU_E, PRNU, SENSOR, estimate_of, pairs_of
 
 from simulations.models.arrays import Floats
@@ -18,7 +19,11 @@ from simulations.models.sensor.photon_transfer_file import (
     planes_of,
     unevenness,
 )
-from simulations.models.sensor.photon_transfer_fit import black_of_dark, characterise
+from simulations.models.sensor.photon_transfer_fit import (
+    black_of_dark,
+    characterise,
+    single_cells,
+)
 from simulations.models.sensor.photon_transfer_pair import Level, measure_pair
 from simulations.models.sensor.photon_transfer_standard import by_the_standard
 
@@ -183,6 +188,59 @@ def test_interpolated_files_are_refused() -> None:
     assert "interpolated" in found.gain.reason
     assert "interpolated" in found.prnu.reason
     assert found.noise is not None
+
+
+KERNELS = {
+    "four cells": [[0, 1, 0], [1, 0, 1], [0, 1, 0]],
+    "eight cells": [[1, 1, 1], [1, 0, 1], [1, 1, 1]],
+    "a row": [[0, 0, 0], [1, 0, 1], [0, 0, 0]],
+}
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+@pytest.mark.parametrize("share", [0.0, 0.03, 0.1])
+def test_smoothing_of_raw_files_is_taken_out_of_the_noise(share: float, kernel: str) -> None:
+    """A share of each cell is the mean of its neighbours; 3 % make the gain 6 % too large."""
+    weights = share * np.array(KERNELS[kernel], float) / np.sum(KERNELS[kernel])
+    weights[1, 1] = 1 - share
+    mixed = [
+        np.rint([convolve(frame.astype(float), weights, mode="wrap") for frame in pair])
+        for pair in pairs_of(128, 3)
+    ]
+    levels = [measure_pair(pair.astype(np.uint16), 4095) for pair in mixed]
+    black = levels[0].mean_dn
+    found, plain = (
+        characterise(levels, black, 4095, single=single) for single in (single_cells(levels), None)
+    )
+    for name in ("gain", "read_noise", "saturation"):
+        estimate = getattr(found, name)
+        assert abs(estimate.value - TRUTH[name]) < 2.5 * estimate.error, name
+    if share:
+        assert plain.gain.reason or abs(plain.gain.value - 4.0) > 5 * plain.gain.error
+
+
+def test_noise_that_was_smoothed_far_or_much_is_not_corrected() -> None:
+    """The error counts means over more than neighbours; those of half of the cell are refused."""
+    for size, share in ((5, 0.06), (3, 0.5)):
+        mixed = [
+            np.rint(
+                (1 - share) * pair + share * uniform_filter(pair.astype(float), (1, size, size))
+            )
+            for pair in pairs_of(128, 3)
+        ]
+        levels = [measure_pair(pair.astype(np.uint16), 4095) for pair in mixed]
+        found = characterise(levels, levels[0].mean_dn, 4095, single=single_cells(levels)).gain
+        assert found.reason or abs(found.value - 4.0) < 2.5 * found.error
+
+
+def test_dark_pair_clipped_at_black_gives_no_read_noise() -> None:
+    pairs = [np.maximum(pair, 64) for pair in pairs_of(96, 5)]  # black is at 64
+    levels = [measure_pair(pair, 4095) for pair in pairs]
+    assert levels[0].clipped == pytest.approx(0.5, abs=0.1)
+    assert math.isnan(black_of_dark(levels, 64.0, 4095))
+    found = characterise(levels, 64.0, 4095, dark=False)
+    assert "clipped at black" in found.read_noise.reason
+    assert abs(found.gain.value - 4.0) < 3 * found.gain.error
 
 
 def test_fit_up_to_the_full_well_is_refused() -> None:
