@@ -84,6 +84,13 @@ def _tex(token: Token, macros: Mapping[str, str]) -> str:
     return escape(f"{before}{start}{plain_tex(token.content, macros)}{end}{after}")
 
 
+GRADES = (
+    100, 90, 83.33333, 80, 75, 70, 66.66667, 60, 50, 40, 33.33333, 30, 25, 20, 16.66667, 14.28571,
+    12.5, 11.11111, 10, 5,
+)  # fmt: skip
+"""Percentages that Moodle's import takes."""
+
+
 @dataclass(frozen=True, slots=True)
 class ExportedQuestion:
     """A question of a chapter."""
@@ -112,6 +119,12 @@ class ExportedQuestion:
     def id(self) -> str:
         """Unique in the book; no digit begins it, as XML wants."""
         return f"quiz-{self.quiz.id}"
+
+    @property
+    def share(self) -> float:
+        """Percent that one of the right answers counts, on each platform: a grade of Moodle's."""
+        right = sum(option.correct for option in self.quiz.options)
+        return min(grade for grade in GRADES if grade > 100 / min(max(right, 1), 20) - 0.001)
 
     @property
     def right_first(self) -> list[Option]:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
 from urllib.parse import unquote
 
 from markdown_it.token import Token
@@ -31,6 +32,8 @@ def annotate(tokens: Sequence[Token], context: ParseContext) -> None:
     for token, line in located(tokens):
         if handle := HANDLERS.get(token.type):
             handle(token, line, context)
+    for token, line in located(tokens):
+        _check_units(token, line, context)
     list_headings(tokens, context)
     glue_formulae(tokens)
 
@@ -151,6 +154,20 @@ def _open_role(token: Token, line: int, context: ParseContext) -> None:
         context.problem(line, unknown("role", token.info, names))
     elif "role" in token.meta:
         _set_link(token, line, context)
+
+
+def _check_units(inline: Token, line: int, context: ParseContext) -> None:
+    """Report units behind numbers that have them."""
+    for number, text in pairwise(inline.children or ()):
+        _, space, unit = number.content.rpartition("\u00a0") if number.type == "role" else ("",) * 3
+        if (
+            space
+            and text.type == "text"
+            and re.match(rf"\s*{re.escape(unit)}(?![\w/])", text.content)
+        ):
+            name = number.meta["role"].name
+            message = f"{unit!r} behind a {{{name}}} that has it; legal: the role alone"
+            context.problem(line, message)
 
 
 def _refuse_bare_roles(token: Token, line: int, context: ParseContext) -> None:

@@ -17,6 +17,7 @@ from support.qti import QTI, session_after
 from site_builder.build import Options, load
 from site_builder.document.book import Book
 from site_builder.editions.questions import (
+    ExportedQuestion,
     count_not_exported,
     exported_questions,
     make_moodle,
@@ -116,6 +117,24 @@ def test_moodle_questions_have_tex_site_links_tolerances_and_units(
     length = moodle["a-length"]
     assert [each.text for each in length.iter("tolerance")] == ["1", "0.15", "0"], "0.3 is not 0"
     assert [each.text for each in length.iter("unit_name")] == ["mm"]
+    assert "_____ mm" in length.findtext("questiontext/text", "")
+
+
+def test_shares_of_right_answers_are_grades_of_moodle(book: Book) -> None:
+    quiz = next(each.quiz for each in exported_questions(book) if each.quiz.id == "two-of-three")
+    right = next(option for option in quiz.options if option.correct)
+    for count, share in (
+        (1, 100),
+        (3, 33.33333),
+        (7, 14.28571),
+        (10, 10),
+        (11, 10),
+        (20, 5),
+        (30, 5),
+    ):
+        many = replace(quiz, options=(right,) * count)
+        exported = ExportedQuestion(many, "", book.chapters[0], "")
+        assert exported.share == share
 
 
 def test_question_about_a_figure_has_its_link_and_a_solution(moodle: dict[str, Element]) -> None:
@@ -147,7 +166,7 @@ def test_qti_package_lists_each_of_its_files_once(package: dict[str, str]) -> No
         ("one-of-two", "answer-2", 1, ["Yes, as always for sinc."]),
         ("one-of-two", "answer-1", 0, ["No & never."]),
         ("two-of-three", ["answer-3", "answer-1"], 1, ["The first is.", "The third is."]),
-        ("two-of-three", ["answer-1"], 0, ["The first is."]),
+        ("two-of-three", ["answer-1"], 0.5, ["The first is."]),
         ("two-of-three", ["answer-1", "answer-2"], 0, ["The first is.", "The second is not."]),
         ("a-length", 51.0, 1, ["That is it."]),
         ("a-length", 51.1, 0, ["That is something else."]),

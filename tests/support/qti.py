@@ -77,6 +77,8 @@ def _value(expression: Element, session: Session) -> Value:
             if isinstance(first, list) and _cardinality(session.item) == "multiple":
                 return isinstance(second, list) and sorted(first) == sorted(second)
             return first == second
+        case "mapResponse":
+            return _mapped(session)
         case "not":
             return not operands[0]
         case "isNull":
@@ -92,6 +94,16 @@ def _value(expression: Element, session: Session) -> Value:
             return second - below <= first <= second + above
         case other:
             raise NotImplementedError(other)
+
+
+def _mapped(session: Session) -> float:
+    (mapping,) = session.item.iter(f"{QTI}mapping")
+    worth = {e.get("mapKey"): float(e.get("mappedValue", "")) for e in mapping}
+    given = session.variables["RESPONSE"]
+    chosen = given if isinstance(given, list) else []
+    total = sum(worth.get(key, float(mapping.get("defaultValue", ""))) for key in chosen)
+    least, most = (float(mapping.get(name, "")) for name in ("lowerBound", "upperBound"))
+    return min(max(total, least), most)
 
 
 def _correct(item: Element) -> Value:

@@ -14,6 +14,9 @@ from site_builder.markdown.questions.kind import QuestionBody, QuestionKind
 SEVERAL = "multiple"
 """The name of a question that may have several right answers."""
 
+MOST_RIGHT = 10
+"""Of more, Moodle has no grade that all of them add up from."""
+
 
 def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> QuestionBody:
     answers = read_answers(call, body, context)
@@ -26,6 +29,9 @@ def read_choice(call: DirectiveCall, body: Sequence[Token], context: ParseContex
     one = f"one, or ':kind: {SEVERAL}'" if call.name == "quiz" else "one"
     right = "" if call.text("kind") == SEVERAL else one
     check_answers(call, options, answers.count, context, right=right)
+    if (count := sum(option.correct for option in options)) > MOST_RIGHT:
+        message = f"{count} right answers, whose shares no platform has; better: {MOST_RIGHT}"
+        context.problems.warn(context.path, call.line, f"quiz {call.argument!r} has {message}")
     return QuestionBody(answers.prompt, options)
 
 
