@@ -14,6 +14,7 @@ from playwright.sync_api import Browser, Page, expect
 from support.engine import Engine
 from support.page_scripts import SILENT_WORKER
 from support.places import GERMAN_BOOK, ROOT
+from support.reader import set_limits
 
 pytestmark = pytest.mark.browser
 LONGEST_S = 120
@@ -32,6 +33,7 @@ class Author:
 
     def open(self, chapter: str) -> None:
         """Open a page that listens for changes, and mark it to detect a reload."""
+        set_limits(self.page.context)
         with self.page.expect_response("**/.reload/events"):
             self.page.goto(f"{self.address}{chapter}/", wait_until="load")
         self.page.evaluate("window.sameLoad = true")
@@ -82,7 +84,7 @@ def author(
             wait_for_server(port)
             context.add_init_script(SILENT_WORKER)
             page = context.new_page()
-            page.set_default_timeout(30_000)
+            set_limits(context)
             address = f"http://localhost:{port}/"
             page.goto(f"{address}das-pendel/", wait_until="domcontentloaded")
             title = page.title()
