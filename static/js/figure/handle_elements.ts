@@ -35,7 +35,7 @@ export function drivenSettings(element: HTMLElement) {
   return (element.dataset.drives ?? "").split(" ");
 }
 
-export function reversedSettings(element: HTMLElement) {
+function reversedSettings(element: HTMLElement) {
   return (element.dataset.reversed ?? "").split(" ");
 }
 

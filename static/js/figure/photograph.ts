@@ -15,7 +15,7 @@ export type Source = { name: string; file: Blob };
 export type Size = [number, number] | number;
 
 /** A file's picture, to be closed after use; of a raw file with the decoder's facts. */
-export interface DecodedPicture {
+interface DecodedPicture {
   bitmap: ImageBitmap;
   /** Before it was scaled down. */
   full: [width: number, height: number];
@@ -24,7 +24,7 @@ export interface DecodedPicture {
 }
 
 /** How to decode a file; a raw one into its cells or a picture of some megapixels. */
-export interface DecodeOptions {
+interface DecodeOptions {
   mosaic: boolean;
   megapixels: number;
   /** Whether the codes of a PNG are measured, so that a profile or gamma in it changes nothing. */

@@ -10,7 +10,7 @@ import { showMessage } from "./status.ts";
 const LARGE_MEGAPIXELS = 4;
 
 /** The picture that is viewed. */
-export type ChosenPicture = Source & { number: number };
+type ChosenPicture = Source & { number: number };
 
 export class ReaderPicture {
   #chosen: ChosenPicture | null = null;

@@ -63,7 +63,7 @@ export function reasonText(reason: Reason) {
 }
 
 /** `4 computed, 8 reused, 1 skipped`, as the builder writes it. */
-function countStages(stages: Stage[]) {
+export function countStages(stages: Stage[]) {
   const count = (status: string) => stages.filter((stage) => stage.status === status).length;
   const [computed, reused, skipped] = ["computed", "reused", "skipped"].map(count);
   return words("stage_report.count", { computed, reused, skipped });

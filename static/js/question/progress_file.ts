@@ -17,7 +17,7 @@ const LONGEST_NAME = 80;
 /** What some system allows in no name of a file. */
 const NO_FILE = /[\p{C}\s\\/:*?"<>|.]+/gu;
 
-export interface Progress {
+interface Progress {
   /** The reader, as they call themselves; empty where they gave no name. */
   who: string;
   answers: Record<string, unknown>;

@@ -6,7 +6,7 @@ import type { Mosaic } from "../runtime/messages.ts";
 import type { Developed } from "./libraw.ts";
 import type { RawReply, RawRequest } from "./worker.ts";
 
-export interface RawPicture {
+interface RawPicture {
   bitmap: ImageBitmap;
   /** Width and height of the whole picture: the bitmap may be smaller. */
   full: [number, number];

@@ -20,7 +20,7 @@ export interface RawRequest {
 }
 
 /** Why a file is refused; a word of `script.raw`. */
-export type Fault = "no_decoder" | "unknown" | "damaged" | "no_mosaic" | "huge";
+type Fault = "no_decoder" | "unknown" | "damaged" | "no_mosaic" | "huge";
 
 export type RawReply =
   | { fetching: number }

@@ -234,7 +234,7 @@ export const CALLS = {
 export type CallName = keyof typeof CALLS;
 
 /** What the worker sends, once it is checked. */
-export type Signal =
+type Signal =
   | { id: number; waits: string }
   | { id: number; wants: string }
   | { id: number; ok: true }

@@ -74,7 +74,7 @@ export interface Caller {
 }
 
 /** What the worker does: fetch its script or a `file`, start Python, or compute. */
-export type Wait = { what: "script" | "file" | "python" | "frame"; file: string };
+type Wait = { what: "script" | "file" | "python" | "frame"; file: string };
 
 /** Longest time in which files may arrive, in milliseconds. */
 const LONGEST_FETCH = 300_000;
