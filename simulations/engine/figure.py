@@ -39,6 +39,8 @@ WIDTH, HEIGHT = 400.0, 290.0
 """View box of a plot and of SVG; a picture is as wide, and as high as its shape says."""
 COARSE = 100
 """A picture with fewer columns than this shows its pixels as squares."""
+BEYOND_WHITE = 2.0
+"""Up to here a picture from 0 to 1 may overshoot, as one that was sharpened does; it is clipped."""
 
 
 def figure[**P](
@@ -142,6 +144,9 @@ def _frame(drawn: Drawn, told: str) -> Frame:
 def _picture(name: str, picture: NDArray[Any]) -> Panel:
     if picture.ndim not in (2, 3) or not picture.size or picture.shape[2:] not in ((), (3,)):
         raise ValueError(f"a picture of shape {picture.shape}; legal: (H, W) or (H, W, 3)")
+    if picture.dtype != np.uint8 and np.nanmax(picture, initial=0.0) > BEYOND_WHITE:
+        legal = "0 (black) to 1 (white), or uint8 from 0 to 255"
+        raise ValueError(f"a picture with a value of {np.nanmax(picture):g}; legal: {legal}")
     raster = to_rgba8(picture / (255.0 if picture.dtype == np.uint8 else 1.0))
     rows, columns = raster.shape[:2]
     return Panel(name, "", WIDTH, WIDTH * rows / columns, raster, pixelated=columns < COARSE)

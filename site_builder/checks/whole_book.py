@@ -8,7 +8,7 @@ from simulations.engine.conditions import first_true
 from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
 from site_builder.checks.exercises import check_exercises
-from site_builder.diagnostics.diagnostic import Diagnostics, cause, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, cause, nearest, unknown
 from site_builder.document.blocks import Option, Prediction, Quiz, Reveal, Simulation, contents
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.document.places import Formula, Link, Target, TermUse
@@ -187,12 +187,14 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
     for name, declared in book.symbols.items():
         if name != BOOK and name not in chapters:
             line = declared[0].symbol.line - 1 if declared else 1
-            problems.add(FILE, line, unknown("chapter", name, [BOOK, *chapters]))
+            spoils = (f"unknown symbol in {nearest(name, chapters)} ",)
+            message = unknown("chapter", name, [BOOK, *chapters])
+            problems.add(FILE, line, message, spoils=spoils)
         for item in declared:
             symbol = item.symbol
             if not spelt(symbol.tex):
                 problems.add(FILE, symbol.line, f"{symbol.tex!r}; legal: one symbol, such as 'k_1'")
-            elif symbol.line not in used:
+            elif symbol.line not in used and name in (BOOK, *chapters):
                 problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
 
 

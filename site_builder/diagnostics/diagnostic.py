@@ -97,10 +97,15 @@ class BuildError(Exception):
 
 
 def without_following(found: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
-    """Those that would stay if the others were mended: not what a mistake spoils."""
-    causes = [one for one in found if one.spoils]
-    for one in found:
-        if not any(_follows(one, cause) for cause in causes if cause is not one):
+    """Those that would stay if the others were mended: not what a mistake spoils. Of two that
+    spoil each other the first stays."""
+    causes = [(place, one) for place, one in enumerate(found) if one.spoils]
+    for place, one in enumerate(found):
+        if not any(
+            _follows(one, cause) and (first < place or not _follows(cause, one))
+            for first, cause in causes
+            if cause is not one
+        ):
             yield one
 
 

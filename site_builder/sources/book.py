@@ -11,7 +11,7 @@ from site_builder.benchmarks.measurements import Measurements
 from site_builder.cache.hashing import hash_of, source_hash
 from site_builder.cache.results import cached_reading, cached_result
 from site_builder.diagnostics.blame import CodeError, raised_by_code
-from site_builder.diagnostics.diagnostic import BuildError, Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import TARGETS, BuildError, Diagnostics, nearest, unknown
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.document.places import Passage, Position, Target, Targets, chapter_id
@@ -197,7 +197,9 @@ def _list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[
         if not sources.has(path):
             folder = sources.root / "content"
             files = sorted(file.stem for file in folder.glob("[!.#]*.md") if file.is_file())
-            problems.add(OUTLINE, line, unknown("chapter", name, files))
+            meant = f"{nearest(name, files)}.md"
+            spoils = (f"content/{meant}", "unknown chapter", f"unknown page '{meant}'", *TARGETS)
+            problems.add(OUTLINE, line, unknown("chapter", name, files), spoils=spoils)
             continue
         # A number in front is for the listing of the folder; it means nothing.
         if not re.fullmatch(r"(\d+-)?[a-z0-9]+(-[a-z0-9]+)*", name):

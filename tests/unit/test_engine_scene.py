@@ -1,15 +1,19 @@
 """Scenes: consistency, tiers and drafts, the registry, and calls of the browser's worker."""
 
 import json
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any
+from typing import Any, cast
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from simulations import browser
 from simulations.engine.accuracy import Accuracy, Level, tiers
+from simulations.engine.figure import figure
 from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
@@ -171,6 +175,17 @@ def test_module_without_a_scene_of_its_name_is_refused(
     monkeypatch.setattr(import_module(SCENE_MODULES["camera"]), "SCENE", value)
     with pytest.raises(UnknownIdError, match=message):
         load_scene("camera")
+
+
+@pytest.mark.parametrize("codes", [np.full((2, 2), 255.0), np.full((2, 2, 3), 3)])
+def test_picture_of_a_figure_with_values_beyond_white_is_refused(
+    codes: NDArray[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys.modules[__name__], "SCENE", None, raising=False)
+    figure("A Picture")(lambda: codes)
+    scene = cast(Any, sys.modules[__name__]).SCENE
+    with pytest.raises(ValueError, match=r"legal: 0 \(black\) to 1 \(white\), or uint8"):
+        scene.draw(scene.settings(), {})
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
