@@ -8,7 +8,7 @@ pytestmark = pytest.mark.browser
 
 CHAPTER, LEADER, PART = "lens-distortion/", "figure-lens-distortion", "figure-the-curve"
 COUNT_RENDERS = """async () => {
-  const runtime = (await customElements.whenDefined('simulation-figure')).inside.sharedRuntime();
+  const runtime = (await customElements.whenDefined('simulation-figure')).internals.sharedRuntime();
   const usual = Object.getPrototypeOf(runtime).call;
   window.renders = 0;
   runtime.call = function (call, ...given) {
