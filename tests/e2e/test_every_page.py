@@ -55,14 +55,25 @@ COVERED = """() => {
     .filter((one) => one.checkVisibility() && one.getBoundingClientRect().left < side.right - 1)
     .map((one) => one.id || one.className);
 }"""
-CROWDED = """(most) => [...document.querySelectorAll("simulation-figure")].flatMap((figure) => {
+CROWDED = """(more) => [...document.querySelectorAll("simulation-figure")].flatMap((figure) => {
   const seen = (what) => [...figure.querySelectorAll(what)].filter((one) => one.checkVisibility());
   const [cells, numbers] = [seen(".control-cell").length, seen("output").length];
-  const name = figure.dataset.simulation;
-  return cells > (most[name] ?? 3) || numbers > 3 ? [`${name}: ${cells}, ${numbers}`] : [];
+  const {id} = figure.closest("figure");
+  const [most, mostNumbers] = more[id] ?? [2, 1];
+  return cells > most || numbers > mostNumbers ? [`${id}: ${cells}, ${numbers}`] : [];
 })"""
-MOST_CONTROLS = {"camera": 4}
-"""Controls of a figure whose subject is how they act together."""
+MORE_IN_SIGHT = {
+    "figure-camera": (4, 1),
+    "figure-one-choice": (1, 2),
+    "figure-camera-pose": (1, 3),
+    "figure-jpeg": (3, 2),
+    "figure-single-view": (3, 3),
+    "figure-chequerboard": (2, 2),
+    "figure-your-lens": (3, 2),
+    "figure-your-edge": (3, 3),
+    "figure-your-noise": (1, 3),
+}
+"""Controls and numbers of figures whose subject is how they act together, and of instruments."""
 SMALL_LABELS = """(least) => [...document.querySelectorAll(
     ":is(simulation-figure, .drawing) svg.overlay"
   )]
@@ -212,7 +223,7 @@ ON_DESKTOP = {
     ],
     1280: [
         Rule("lies under the contents", COVERED),
-        Rule("shows more than three controls or readouts at first", CROWDED, MOST_CONTROLS),
+        Rule("shows more than two controls or one number at first", CROWDED, MORE_IN_SIGHT),
     ],
 }
 ON_PHONE = {

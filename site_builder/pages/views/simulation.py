@@ -25,8 +25,8 @@ from site_builder.pool.loading import loaded
 
 CONTROL_KINDS = ENGINE / "simulations" / "engine" / "controls"
 """Where the kinds of controls lie."""
-IN_SIGHT = 3
-"""Controls, and readouts, that a figure shows at first; the others are folded."""
+CONTROLS_IN_SIGHT, NUMBERS_IN_SIGHT = 2, 1
+"""Controls and readouts that a figure shows at first; the others are folded."""
 TIER, AUTOMATIC = "tier", "automatic"
 """Name of the menu of accuracies, and its first entry."""
 
@@ -60,7 +60,7 @@ def control_cells(
     names = [[control.name for control in run] or [TIER] for run in runs]
     places = {name: place for place, run in enumerate(names) for name in run}
     chosen = dict.fromkeys(places[name] for name in initial_frame.figure.in_sight if name in places)
-    shown = [runs[place] for place in chosen] or [run for run in runs if run][:IN_SIGHT]
+    shown = [runs[place] for place in chosen] or [run for run in runs if run][:CONTROLS_IN_SIGHT]
     folded = [run for run in runs if run not in shown]
     cells = [
         tuple(tuple(_control(initial_frame, control, words) for control in run) for run in part)
@@ -84,7 +84,7 @@ def readouts_in_sight(
     """The readouts in sight, and the folded ones: those that the author names, else the first."""
     readouts, named = initial_frame.frame.readouts, initial_frame.figure.in_sight
     chosen = tuple(shown for shown in readouts if shown.name in named)
-    shown = chosen if named else readouts[:IN_SIGHT]
+    shown = chosen if named else readouts[:NUMBERS_IN_SIGHT]
     return shown, tuple(each for each in readouts if each not in shown)
 
 
