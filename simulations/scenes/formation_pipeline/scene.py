@@ -338,7 +338,7 @@ def ledger_pulled(_settings: Settings, place: Point) -> dict[str, float]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("marker", "way", "Light", drives=("station",), at=marker, reach="press", role="ray"),
+    Handle("marker", "way", "Point", drives=("station",), at=marker, reach="press", role="ray"),
     Handle("camera", "way", "Camera", drives=("distance",), at=lens_foot, role="camera"),
     Handle(
         "line",

@@ -43,7 +43,7 @@ def overlays(k1: float, k2: float) -> dict[str, str]:
     """The SVG of all three panels that depends on the lens alone; ``corrected`` is that of the
     corrected picture."""
     lens = Distortion(k1=k1, k2=k2)
-    named = ((INNER, "k₁"), (OUTER, "k₂"))
+    named = ((INNER, "inner"), (OUTER, "outer"))
     moved = [_moved(*point, lens) for point in named if math.hypot(*point[0]) < fold_radius(lens)]
     return {
         "grid": _grid(lens),
@@ -123,8 +123,8 @@ def _grown(mask: Mask) -> Mask:
 
 
 def _moved(ideal: tuple[float, float], name: str, lens: Distortion) -> str:
-    """The shift of a marked point from its pinhole image, as far as the border; the coefficient
-    that the point moves, on its left and off its radius."""
+    """The shift of a marked point from its pinhole image, as far as the border; its name
+    on its left and off its radius."""
     ends = to_view(ideal), held(ideal, lens)
     x, y = ends[1]
     row = min(max(y + (14.0 if ideal[1] > 0.0 else -5.0), 16.0), VIEW_HEIGHT - 8.0)
