@@ -112,6 +112,22 @@ def test_edge_near_a_press_is_found_and_has_the_lateral_colour() -> None:
     assert SCENE.pull(settings, "find", (0, 0), "", plain) == {}
 
 
+@pytest.mark.parametrize("apart", [0.0, 0.5, 1.0])
+def test_error_counts_how_much_the_colours_differ(apart: float) -> None:
+    """Red and blue so many pixels to either side of green; with noise alone, nothing is added."""
+    edge = gaussian_edge(240, 320, 5.0, 0.9)
+    moved = [np.asarray(shifted(edge, (0.0, off), mode="nearest")) for off in (-apart, 0.0, apart)]
+    light = 0.1 + 0.35 * np.stack(moved, axis=2) + grain((240, 320, 3), 0.003, 1)
+    picture = Photograph(
+        6, np.rint(255 * encode_srgb(light)).astype(np.uint8), "edge.dng", {"raw": 1}
+    )
+    found = SCENE.run(SCENE.check({}), "", StageCache(), picture).outputs["sharpness"]
+    off = abs(found.half.frequency - gaussian_half(0.9))
+    assert off < 2 * found.half.error
+    assert (found.colour > 0.004) == (apart > 0)
+    assert len(found.channels) == 3
+
+
 def test_reduced_photograph_gives_no_number() -> None:
     settings = SCENE.check({"kept": ";0.4,0.3_0.6,0.6"})
     run = SCENE.run(settings, "", StageCache(), photograph(300, 200, full_width=600.0))

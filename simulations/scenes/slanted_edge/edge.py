@@ -23,13 +23,17 @@ from simulations.models.color.tone_curve import TYPICAL
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, HalfContrast, measure
-from simulations.models.sampling.slanted_edge_file import light_of_codes
+from simulations.models.sampling.slanted_edge_file import light_of_code, light_of_codes
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
-from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge
+from simulations.models.sampling.slanted_edge_pixels import (
+    EdgePixels,
+    locate_edge,
+    pixels_beside,
+)
 from simulations.models.sampling.slanted_edge_search import edge_near
 from simulations.models.sampling.slanted_edge_tone import tone_error
-from simulations.models.sensor.photon_transfer_file import model_of
+from simulations.models.sensor.photon_transfer_file import is_grey, model_of
 from simulations.models.sensor.resolution import pixel_pitch_um
 from simulations.scenes._cat import blurred, sharp
 from simulations.scenes._wipe import wiped
@@ -146,6 +150,11 @@ class Sharpness:
     tone: float = 0.0
     """Part of the error of MTF50 that is due to an unknown tone curve, in cycles per pixel."""
     sharpened: bool = False
+    channels: tuple[EdgeReading, ...] = ()
+    """Measurements of red, green and blue in a colour photograph."""
+    colour: float = 0.0
+    """Part of the error of MTF50 by which a colour differs from the luminance, beyond its own
+    error: lateral colour blurs the luminance, and sharpens no colour."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,9 +293,25 @@ def pitch_um(photograph: Photograph | None) -> float | None:
     return pixel_pitch_um(*given) if len(given) == len(names) and min(given) > 0 else None
 
 
+def channels(
+    cut: Codes, pixels: EdgePixels, tone: Tone, response: str, photograph: Photograph | None
+) -> tuple[EdgeReading, ...]:
+    """Red, green and blue, along the line that the luminance has; none for a grey file."""
+    if photograph is None or is_grey(cut):
+        return ()
+    light = light_of_code(srgb=response == "srgb", tone=tone.strength)
+    try:
+        return tuple(measure(pixels_beside(pixels.line.on(light[cut[..., k]]))) for k in range(3))
+    except UnfitEdgeError:
+        return ()
+
+
 def sharpness(
+    codes: Codes,
+    box: Box,
     pixels: EdgePixels | str,
     tone: Tone,
+    response: str,
     aperture: float,
     pitch: float,
     photograph: Photograph | None,
@@ -301,12 +326,20 @@ def sharpness(
         return replace(nothing, refusal=str(problem))
     half = reading.half_contrast()
     by_tone = tone_error(reading, tone.error) if tone.error else 0.0
+    cut = codes[box.top : box.bottom, box.left : box.right]
+    each = channels(cut, pixels, tone, response, photograph)
+    halves = [one.half_contrast() for one in each]
+    apart = [abs(one.frequency - half.frequency) - one.error for one in halves]
+    by_colour = max((off for off in apart if math.isfinite(off)), default=0.0)
+    by_colour = max(by_colour, 0.0)
     return Sharpness(
         reading,
-        replace(half, error=math.hypot(half.error, by_tone)),
+        replace(half, error=math.hypot(half.error, by_tone, by_colour)),
         *reading.transfer(FREQUENCIES),
         tone=by_tone,
         sharpened=reading.is_sharpened(most_contrast(aperture, pitch, photograph)),
+        channels=each,
+        colour=by_colour,
     )
 
 
@@ -326,7 +359,8 @@ def kept_edges(
         centre = 50.0 * (left + right), 0.5 * tall * (top + bottom)
         box = chosen_box(codes, *centre, 100.0 * (right - left), tall * (bottom - top))
         pixels = edge_pixels(codes, box, tone, response, photograph)
-        found.append(KeptEdge(box, sharpness(pixels, tone, aperture, pitch, photograph)))
+        by = response, aperture, pitch, photograph
+        found.append(KeptEdge(box, sharpness(codes, box, pixels, tone, *by)))
     return tuple(found)
 
 
@@ -362,7 +396,7 @@ STAGES = (
     Stage("box", chosen_box, ("codes",)),
     Stage("tone", tone_of),
     Stage("pixels", edge_pixels, ("codes", "box", "tone")),
-    Stage("sharpness", sharpness, ("pixels", "tone")),
+    Stage("sharpness", sharpness, ("codes", "box", "pixels", "tone")),
     Stage("places", kept_edges, ("codes", "tone")),
     Stage("crop", through, ("sharpness",)),
     Stage("true", true_transfer),

@@ -2,7 +2,7 @@
 
 import json
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,11 +14,8 @@ from simulations.engine.reading import UnfitError
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.sampling.first_fall import first_fall
-from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, measure
-from simulations.models.sampling.slanted_edge_file import light_of_code
-from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
-from simulations.models.sampling.slanted_edge_pixels import pixels_beside
-from simulations.models.sensor.photon_transfer_file import camera_of, is_grey
+from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
+from simulations.models.sensor.photon_transfer_file import camera_of
 from simulations.scenes.slanted_edge.edge import Box, KeptEdge, Settings, Sharpness, pitch_um
 
 PER_MM, PER_PX = "cycles/mm", "cycles/px"
@@ -126,24 +123,17 @@ def lines_of(
         known = "found by exposures" if outputs["tone"].strength else "unknown"
         label = f"Of its error, the tone curve, {known}, with an edge of {apart} : 1"
         yield Readout(f"tone_{number}", label, words, "%")
+    if place.sharpness.colour:
+        words = format_number(100.0 * place.sharpness.colour / half.frequency, 1)
+        yield Readout(f"colour_{number}", "Of its error, how much the colours differ", words, "%")
     if place.sharpness.sharpened:
         yield replace(halos(place.sharpness), name=f"overshoot_{number}")
-    yield from colours(number, place, settings, outputs)
+    yield from colours(number, place.sharpness.channels)
 
 
-def colours(
-    number: int, place: KeptEdge, settings: Settings, outputs: Outputs
-) -> Iterator[Readout]:
+def colours(number: int, each: Sequence[EdgeReading]) -> Iterator[Readout]:
     """MTF50 of each channel, and how far red and blue are off green; none for a grey file."""
-    box, reading = place.box, place.sharpness.reading
-    cut = outputs["codes"][box.top : box.bottom, box.left : box.right]
-    if reading is None or outputs["photograph"] is None or is_grey(cut):
-        return
-    line = reading.pixels.line
-    light = light_of_code(srgb=settings.response == "srgb", tone=outputs["tone"].strength)
-    try:
-        each = [measure(pixels_beside(line.on(light[cut[..., k]]))) for k in range(3)]
-    except UnfitEdgeError:
+    if not each:
         return
     halves = [one.half_contrast() for one in each]
     words = "; ".join(value_with_error(half.frequency, half.error) for half in halves)
@@ -228,6 +218,7 @@ def facts_of(place: KeptEdge, outputs: Outputs) -> dict[str, object]:
         "mtf50_standard_error": half.error if math.isfinite(half.error) else None,
         "overshoot": reading.overshoot,
         "of_which_tone_curve": place.sharpness.tone,
+        "of_which_colours": place.sharpness.colour,
         "sharpened": place.sharpness.sharpened,
         "noise_of_step": reading.curve.noise,
     }
