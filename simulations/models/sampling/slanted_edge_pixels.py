@@ -19,6 +19,9 @@ from simulations.models.sampling.slanted_edge_line import (
 
 REACH = 64.0
 """Pixels at most so far from the edge take part."""
+MOST_FALL, SURE = 0.15, 8.0
+"""Share by which light may grow or fall from the edge to the end of the reach, to be taken out, and
+how many standard errors of noise of single pixels it must be."""
 NEAR = 2.0
 """The slope of the edge of a sharp picture lies within this distance."""
 
@@ -71,6 +74,7 @@ def pixels_beside(line: EdgeLine, unit: float = 1.0) -> EdgePixels:
     columns = slice(max(0, int(edge.min() - beside)), int(edge.max() + beside) + 2)
     light, distance = line.picture[line.rows, columns], line.distances(columns)
     near = np.abs(distance) < reach
+    light = light / _fall_off(light, distance, y, near, reach)
     dark, bright = (_row_means(light, near & (side * distance > 0.5 * reach)) for side in (-1, 1))
     share = as_shares(light, dark, bright, y)
     levels = unit * float(dark.mean()), unit * float(bright.mean())
@@ -82,6 +86,27 @@ def pixels_beside(line: EdgeLine, unit: float = 1.0) -> EdgePixels:
         row=np.nonzero(near)[0],
         levels=levels,
     )
+
+
+def _fall_off(light: Floats, distance: Floats, y: Floats, near: Mask, reach: float) -> Floats:
+    """(N, W) light by that at the edge, if it falls off evenly over both sides: by its slope in the
+    outer halves of both, beside that along the edge (heights (N,) of the rows); ones if that is
+    noise, or more than `MOST_FALL`."""
+    heights = np.broadcast_to(y[:, None], light.shape)
+    slope = weight = variance = 0.0
+    for side in (-1, 1):
+        outer = near & (side * distance > 0.5 * reach)
+        terms = np.stack([np.ones(np.count_nonzero(outer)), distance[outer], heights[outer]])
+        inverse = np.linalg.pinv(terms @ terms.T)
+        level, by_distance, by_height = inverse @ (terms @ light[outer])
+        if inverse[1, 1] <= 0:
+            continue
+        off = light[outer] - (level, by_distance, by_height) @ terms
+        slope += level * by_distance / inverse[1, 1]
+        weight += level**2 / inverse[1, 1]
+        variance += level**2 / inverse[1, 1] * float(np.mean(off**2))
+    share = slope / weight if abs(slope) > SURE * np.sqrt(variance) else 0.0
+    return 1 + share * distance if abs(share) * reach < MOST_FALL else np.ones_like(light)
 
 
 def _row_means(values: Floats, chosen: Mask) -> Floats:
