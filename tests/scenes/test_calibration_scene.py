@@ -252,3 +252,12 @@ def test_files_sheet_and_developed_photograph_use_the_same_camera() -> None:
     codes = np.random.default_rng(0).integers(0, 255, (960, 1280, 3)).astype(np.uint8)
     assert SCENE.instrument.develop
     assert SCENE.instrument.develop(Photograph(0, codes), settings, outputs).shape == codes.shape
+
+
+@pytest.mark.parametrize(("side", "unit"), [(0.0, "% of a square’s width"), (30.0, "mm")])
+def test_board_is_measured_in_millimetres_only_if_a_square_is(side: float, unit: str) -> None:
+    given = {"shape": "bent", "detail": "board", "side": side, "photographs": 12}
+    frame = frame_of(SCENE, **given)
+    words = " ".join((texts_of(frame)["board"], frame.description, frame.panels[2].overlay))
+    assert unit in words
+    assert ("mm" in words) == (side > 0)

@@ -14,7 +14,7 @@ ROOM = (300.0, 40.0)
 """Width of the drawing, and the height to which the board's relief is enlarged."""
 LEAN, FLATTENED = 0.35, 0.42
 """How far rows lean to the right, and how low they are seen."""
-LEAST_MM = 1e-3
+LEAST, PER_CENT = 1e-3, 100.0
 SURE = 3.0
 """Standard errors from which on a board is told to be bent."""
 CAPTION, LINE = 232.0, 20.0
@@ -22,10 +22,10 @@ CAPTION, LINE = 232.0, 20.0
 
 def board_drawing(found: Measured, tried: tuple[Trial, ...], side_mm: float) -> str:
     """The board seen from the side, its relief enlarged, and what was measured of it."""
-    relief = side_mm * found.relief
-    times = _round(ROOM[1] / max(float(np.ptp(relief)), LEAST_MM))
-    rows, columns = relief.shape
+    rows, columns = found.relief.shape
     scale = ROOM[0] / (columns - 1 + LEAN * (rows - 1))
+    relief = scale * found.relief
+    times = _round(ROOM[1] / max(float(np.ptp(relief)), LEAST))
     flat, bent = (_seen(height, scale) for height in (0.0 * relief, times * relief))
     rim = [*flat[0], *flat[:, -1][1:], *flat[-1][::-1][1:], *flat[:, 0][::-1][1:]]
     words = board_words(found, side_mm)
@@ -44,14 +44,17 @@ def board_drawing(found: Measured, tried: tuple[Trial, ...], side_mm: float) -> 
 
 
 def board_words(found: Measured, side_mm: float) -> list[str]:
-    """How far the board is from flat, and the sides of its squares, for a reader."""
-    height = value_with_error(side_mm * found.height, side_mm * found.height_error)
-    down = value_with_error(side_mm * found.aspect, side_mm * found.aspect_error)
+    """How far the board is from flat, and the sides of its squares, for a reader: in millimetres,
+    or in shares of a square's width while that is not given (0)."""
+    unit, scale = ("mm", side_mm) if side_mm else ("% of a square’s width", PER_CENT)
+    height = value_with_error(scale * found.height, scale * found.height_error)
     told = found.height > SURE * found.height_error
-    flat = f"Flat to {format_magnitude(side_mm * found.height, LEAST_MM)} mm"
+    flat = f"Flat to {format_magnitude(scale * found.height, LEAST)} {unit}"
+    down = value_with_error((side_mm or 1.0) * found.aspect, (side_mm or 1.0) * found.aspect_error)
+    squares = f"of {side_mm:g} mm × {down} mm" if side_mm else f"{down} times as high as wide"
     return [
-        (f"Out of flat by {height} mm" if told else flat) if found.bent else "Taken for flat",
-        f"Squares of {side_mm:g} mm × {down} mm" if found.bent else "",
+        (f"Out of flat by {height} {unit}" if told else flat) if found.bent else "Taken for flat",
+        f"Squares {squares}" if found.bent else "",
     ]
 
 

@@ -37,4 +37,4 @@ class Settings:
     arrows: str = choice("Arrows", ERRORS)
     share: float = slider("Dividing line", 1, 0, 1, 0.01)
     shape: str = choice("Board", BOARDS | {SUPPORTED: "the supported shape"}, default="flat")
-    side: float = slider("Width of a square", 25, 1, 100, 0.1, unit="mm")
+    side: float = slider("Width of a square (0: not given)", 0, 0, 100, 0.1, unit="mm")
