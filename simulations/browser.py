@@ -101,7 +101,7 @@ def exercise(program: str, edits: str, stage: str) -> str:
     if sys.platform == "emscripten" and _last_edits != [edits]:
         restore_modules()
         _last_edits[:] = [edits]
-    from simulations.editing.exercise import Exercise, judged, place_of  # most never need it
+    from simulations.editing.exercise import Exercise, findings, place_of  # most never need it
     from simulations.editing.problems import problem_of
 
     asked = Exercise(**json.loads(program))
@@ -109,7 +109,7 @@ def exercise(program: str, edits: str, stage: str) -> str:
     found: dict[str, Any] = {}
     try:
         with redirect_stdout(printed):
-            found = judged(asked, edits, stage, load_ladder, time.perf_counter)
+            found = findings(asked, edits, stage, load_ladder, time.perf_counter)
     except BaseException as error:  # the reader's code may raise anything, `SystemExit` too
         found = {"problem": asdict(problem_of(error, [place_of(asked, edits)]))}
     found["printed"] = printed.getvalue()[:MOST_PRINTED]

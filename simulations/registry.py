@@ -31,7 +31,7 @@ class UnknownIdError(KeyError):
         return str(self.args[0])
 
 
-def found(room: str, *, inside: str = "") -> dict[str, str]:
+def modules_in(room: str, *, inside: str = "") -> dict[str, str]:
     """Id to module of all entries in a package of ``simulations``, sorted.
 
     ``inside`` is the module to use of an entry that is a package. Empty if the book has no such
@@ -56,8 +56,8 @@ def hard_case_tables() -> dict[str, Path]:
     return {file.stem.replace("_", "-"): file for file in sorted(folder.glob("*.toml"))}
 
 
-SCENE_MODULES: Mapping[str, str] = found("scenes", inside="scene")
-LADDER_MODULES: Mapping[str, str] = found("ladders", inside="ladder")
+SCENE_MODULES: Mapping[str, str] = modules_in("scenes", inside="scene")
+LADDER_MODULES: Mapping[str, str] = modules_in("ladders", inside="ladder")
 
 
 def load_scene(scene_id: str) -> Scene[Any]:

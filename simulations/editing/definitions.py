@@ -110,13 +110,13 @@ def home(function: Callable[..., Any]) -> tuple[str, str]:
 
 
 def _first_line(statement: ast.stmt, lines: list[str]) -> int:
-    first = min(line for line in _own_lines(statement))
+    first = min(line for line in _lines_of(statement))
     while first > 1 and lines[first - 2].startswith("#"):
         first -= 1
     return first
 
 
-def _own_lines(statement: ast.stmt) -> Iterator[int]:
+def _lines_of(statement: ast.stmt) -> Iterator[int]:
     yield statement.lineno
     for decorator in getattr(statement, "decorator_list", ()):
         yield decorator.lineno

@@ -175,7 +175,7 @@ def _source(body: Sequence[ast.stmt]) -> str:
     return "\n".join(ast.unparse(each) for each in body)
 
 
-def prove(exercise: Exercise) -> None:
+def check_claims(exercise: Exercise) -> None:
     """Raise what the check's claims about the solution raise, or `AssertionError` of the first that
     is false."""
     check = Check.of(exercise)
@@ -232,7 +232,7 @@ def _miss(
         if not _fault(got, other, tolerance) and _fault(other, expected, tolerance):
             recognised = index
             break
-    given = _given(exercise, case)
+    given = _inputs_of(exercise, case)
     if fault == "kind":
         return Miss(
             fault,
@@ -269,7 +269,7 @@ def _miss(
     )
 
 
-def _given(exercise: Exercise, case: str) -> tuple[Mapping[str, str], ...]:
+def _inputs_of(exercise: Exercise, case: str) -> tuple[Mapping[str, str], ...]:
     """What the names in a case stand for; nothing for functions and modules."""
     check = Check.of(exercise)
     names = check.names(function_of(exercise, exercise.solution))
@@ -328,11 +328,11 @@ def measured(
                     for tier in tiers
                 ]
             )
-    *results, yours = (_together(each) for each in zip(*rounds, strict=True))
+    *results, yours = (_median_result(each) for each in zip(*rounds, strict=True))
     return yours, results
 
 
-def _together(results: Sequence[TierResult]) -> TierResult:
+def _median_result(results: Sequence[TierResult]) -> TierResult:
     """The middle of several results, with all of their scatter."""
     middle = sorted(results, key=lambda result: result.milliseconds)[len(results) // 2]
     return replace(
@@ -349,22 +349,22 @@ def trials(exercise: Exercise, text: str) -> list[Trial]:
     theirs = table_of(exercise.name, exercise.hard, {name: function_of(exercise, text, name)})
     found = []
     for case in table.cases:
-        got, expected = _tried(theirs, case.call), answer(table, case.call)
+        got, expected = _answer_or_error(theirs, case.call), answer(table, case.call)
         if isinstance(got, NotImplementedError):
             continue
-        passed = _meets(table, case.expected, got)
+        passed = _is_expected(table, case.expected, got)
         found.append(Trial(case.call, case.why, show(got), show(expected), passed))
     return found
 
 
-def _meets(table: HardCases, expected: str, got: Any) -> bool:
+def _is_expected(table: HardCases, expected: str, got: Any) -> bool:
     try:
         return as_expected(table, expected, got)
     except Exception:  # of an answer of another shape
         return False
 
 
-def _tried(table: HardCases, call: str) -> Any:
+def _answer_or_error(table: HardCases, call: str) -> Any:
     """The answer of a reader's function, which may raise anything."""
     try:
         with np.errstate(all="ignore"):
@@ -373,7 +373,7 @@ def _tried(table: HardCases, call: str) -> Any:
         return error
 
 
-def judged(
+def findings(
     exercise: Exercise, text: str, stage: str, load_ladder: LoadLadder, clock: Clock
 ) -> dict[str, Any]:
     """What a ``stage`` finds, as plain data. Raises what the text raises."""

@@ -88,7 +88,7 @@ def load_copy(module: str, sources: Mapping[str, str]) -> Any:
 
     Raises what the modules raise. The book's own program stays unchanged.
     """
-    with _instead(sources), _own_modules():
+    with _sources_first(sources), _fresh_modules():
         return import_module(module)
 
 
@@ -151,7 +151,7 @@ class _EditedFinder:
 
 
 @contextmanager
-def _instead(sources: Mapping[str, str]) -> Iterator[None]:
+def _sources_first(sources: Mapping[str, str]) -> Iterator[None]:
     """A context in which the given modules are imported from these sources."""
     finder = _EditedFinder(sources)
     sys.meta_path.insert(0, finder)
@@ -162,18 +162,18 @@ def _instead(sources: Mapping[str, str]) -> Iterator[None]:
 
 
 @contextmanager
-def _own_modules() -> Iterator[None]:
+def _fresh_modules() -> Iterator[None]:
     """A context in which editable modules are imported anew; the book's are restored afterwards."""
     package = vars(sys.modules["simulations"])
     rooms = {name: value for name, value in package.items() if is_editable(f"simulations.{name}")}
-    books = _take_out()
+    books = _remove_modules()
     try:
         yield
     finally:
-        _take_out()
+        _remove_modules()
         sys.modules.update(books)
         package.update(rooms)
 
 
-def _take_out() -> dict[str, Any]:
+def _remove_modules() -> dict[str, Any]:
     return {name: sys.modules.pop(name) for name in list(sys.modules) if is_editable(name)}

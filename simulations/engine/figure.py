@@ -81,7 +81,7 @@ def figure[**P](
         def draw(given: object, outputs: Outputs) -> Frame:
             read = {name: outputs[name] for name in taken}
             read |= {asked[name].name: value for name, value in values_of(given).items()}
-            return _frame(cast(Any, function)(**read), _told(title, given))
+            return _frame(cast(Any, function)(**read), _settings_sentence(title, given))
 
         own = module.removesuffix(".scene").rpartition(".")[2].replace("_", "-")
         scene = Scene(own, title, settings, draw, tuple(steps), tuple(handles), **more)
@@ -152,7 +152,7 @@ def _picture(name: str, picture: NDArray[Any]) -> Panel:
     return Panel(name, "", WIDTH, WIDTH * rows / columns, raster, pixelated=columns < COARSE)
 
 
-def _told(title: str, settings: object) -> str:
+def _settings_sentence(title: str, settings: object) -> str:
     """``A Travelling Wave: Time 1.00 s, Wavelength 2.0 m.``"""
     values = values_of(settings)
     controls = (each for each in controls_of(type(settings)) if not isinstance(each, Action))

@@ -91,7 +91,7 @@ def places(
     return tuple(found)
 
 
-def pulled(
+def values_at_place(
     handle: Handle[Any],
     settings: object,
     place: Point,
@@ -111,7 +111,7 @@ def pulled(
     by_name = {control.name: control for control in controls}
     if handle.pull is None:
         control = by_name[handle.drives[0]]
-        return {control.name: _nearest(handle, settings, place, control, outputs_at)}
+        return {control.name: _nearest_value(handle, settings, place, control, outputs_at)}
     values: dict[str, Value] = {}
     asked = inspect.signature(handle.pull).parameters
     given = handle.pull(settings, place, **{key: shown[key] for key in shown if key in asked})
@@ -130,7 +130,7 @@ def pulled(
     return values
 
 
-def _nearest(
+def _nearest_value(
     handle: Handle[Any],
     settings: Any,
     place: Point,

@@ -6,7 +6,7 @@ from dataclasses import KW_ONLY, dataclass, field, replace
 from simulations.engine.accuracy import ONE_LEVEL, Accuracy
 from simulations.engine.controls import Control, Slider, Value
 from simulations.engine.frame import Frame, Readout
-from simulations.engine.handles import Handle, Point, mistakes, places, pulled
+from simulations.engine.handles import Handle, Point, mistakes, places, values_at_place
 from simulations.engine.instrument import NO_INSTRUMENT, Instrument
 from simulations.engine.ladder import Clock
 from simulations.engine.photograph import Photograph
@@ -151,7 +151,7 @@ class Scene[S]:
         def outputs_at(other: S) -> Outputs:
             return LazyOutputs(lambda: self.run(other, tier, cache, photograph, readings).outputs)
 
-        return pulled(by_name[handle], settings, place, self.controls, shown, outputs_at)
+        return values_at_place(by_name[handle], settings, place, self.controls, shown, outputs_at)
 
     def estimates(
         self,

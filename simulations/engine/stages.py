@@ -79,7 +79,7 @@ class Stage:
         """Why the stage would change nothing; empty if it would change something."""
         if self.neutral is None:
             return ""
-        given = _picked(self.neutral, parameters, f"stage {self.name!r}: neutral reads")
+        given = _selected(self.neutral, parameters, f"stage {self.name!r}: neutral reads")
         reason = self.neutral(**given)
         if not isinstance(reason, str):
             raise TypeError(
@@ -95,7 +95,7 @@ def _arguments(function: Callable[..., Any]) -> tuple[str, ...]:
     return tuple(item.name for item in given if item.default is inspect.Parameter.empty)
 
 
-def _picked(
+def _selected(
     function: Callable[..., Any], parameters: Mapping[str, Parameter], who: str
 ) -> dict[str, Parameter]:
     names = _arguments(function)

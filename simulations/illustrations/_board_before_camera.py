@@ -32,7 +32,7 @@ def at(point: ArrayLike) -> Floats:
     return project(world_to_camera(np.asarray(point, float), OUTSIDE), LENSES)[0]
 
 
-def beside(point: ArrayLike, right: float, down: float) -> Floats:
+def offset_from(point: ArrayLike, right: float, down: float) -> Floats:
     """So far from there, in units of the drawing."""
     return at(point) + np.array([right, down])
 

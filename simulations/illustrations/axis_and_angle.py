@@ -22,7 +22,7 @@ def turned(angle_rad: float) -> Floats:
     return from_axis_angle(AXIS, angle_rad) @ VECTOR
 
 
-def along() -> Floats:
+def component_along_axis() -> Floats:
     """The part of `VECTOR` along the axis."""
     axis = np.array(AXIS)
     return (VECTOR @ axis) * axis
@@ -30,12 +30,15 @@ def along() -> Floats:
 
 def draw() -> Illustration:
     at = SPACE.at
-    origin, hub = at(0, 0, 0), at(*along())
+    origin, hub = at(0, 0, 0), at(*component_along_axis())
     circle = SPACE.all([turned(angle) for angle in np.radians(np.arange(0, 361, 4))])
     way = SPACE.all([turned(angle) for angle in np.linspace(0.0, ANGLE_RAD, 31)])
-    sideways = along() + np.cross(AXIS, VECTOR)
+    sideways = component_along_axis() + np.cross(AXIS, VECTOR)
     angle = SPACE.all(
-        [along() + 0.34 * (turned(a) - along()) for a in np.linspace(0.0, ANGLE_RAD, 31)]
+        [
+            component_along_axis() + 0.34 * (turned(a) - component_along_axis())
+            for a in np.linspace(0.0, ANGLE_RAD, 31)
+        ]
     )
     marks = [
         polyline(circle, "muted thin dashed"),
@@ -55,7 +58,7 @@ def draw() -> Illustration:
         label(np.add(at(*turned(ANGLE_RAD)), (-10, 0)), "R p", "image italic", "end"),
         label(np.add(at(*sideways), (8, 0)), "n × p", "light italic"),
         label(np.add(angle[12], (4, -5)), "θ", "ray italic ground"),
-        label(np.add(at(*(0.55 * along())), (9, 4)), "stays", "muted small"),
+        label(np.add(at(*(0.55 * component_along_axis())), (9, 4)), "stays", "muted small"),
     ]
     words = (
         f"A vector p is turned by {math.degrees(ANGLE_RAD):.0f}° about an upright axis n. Its part "

@@ -9,10 +9,10 @@ from simulations.illustrations._board_before_camera import (
     R1,
     R2,
     at,
-    beside,
     board,
     corner,
     image_plane,
+    offset_from,
     pierced,
 )
 
@@ -30,24 +30,24 @@ def draw() -> Illustration:
         arrow(at(CENTRE), at(ORIGIN), "camera"),
         dot(at(CENTRE), "camera", 5),
         label((ox, oy + 20), "camera", "camera", "middle"),
-        label(beside(0.55 * ORIGIN, 0, -8), "t", "camera italic strong ground", "middle"),
+        label(offset_from(0.55 * ORIGIN, 0, -8), "t", "camera italic strong ground", "middle"),
     ]
     second = [
         arrow(at(ORIGIN), at(ORIGIN + R1), "error bold"),
         arrow(at(ORIGIN), at(ORIGIN + R2), "error bold"),
-        label(beside(ORIGIN + 0.6 * R1, -6, -8), "r_1", "error italic", "end"),
-        label(beside(ORIGIN + 0.35 * R2, -6, 6), "r_2", "error italic", "end"),
+        label(offset_from(ORIGIN + 0.6 * R1, -6, -8), "r_1", "error italic", "end"),
+        label(offset_from(ORIGIN + 0.35 * R2, -6, 6), "r_2", "error italic", "end"),
     ]
     third = [
         arrow(at(ORIGIN), at(corner(ACROSS, 0)), "error"),
         arrow(at(corner(ACROSS, 0)), at(point), "error"),
         dot(at(point), "world", 5),
-        label(beside(point, 10, 5), "(X, Y, 0)", "world italic"),
+        label(offset_from(point, 10, 5), "(X, Y, 0)", "world italic"),
     ]
     fourth = [
         line(at(CENTRE), at(point), "ray"),
         dot(at(image), "image", 4.5),
-        label(beside(image, 0, -10), "m", "image italic ground", "middle"),
+        label(offset_from(image, 0, -10), "m", "image italic ground", "middle"),
     ]
     words = (
         "A camera, its image plane and a slanting board of three by three squares. An arrow leads "

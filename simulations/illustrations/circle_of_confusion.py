@@ -64,7 +64,7 @@ def _near() -> Iterator[str]:
     yield label((LENS + tip() / 2, 239), "z", "world italic", "middle")
 
 
-def _cut() -> Iterator[str]:
+def _disc_and_opening() -> Iterator[str]:
     """The disc, and the opening that is as wide as the cone's base."""
     place, c = LENS + sensor(), disc()
     corners = ((-2.5, -c / 2), (2.5, -c / 2), (2.5, c / 2), (-2.5, c / 2))
@@ -89,5 +89,5 @@ def draw() -> Illustration:
         f"the sensor, which cuts its cone in a disc of diameter c, {disc() / (2 * HALF):.2f} of "
         "the opening A."
     )
-    overlay = in_steps(_focused(), _near(), _cut())
+    overlay = in_steps(_focused(), _near(), _disc_and_opening())
     return Illustration((Panel("section", "", 400.0, 268.0, overlay=overlay),), words)

@@ -24,7 +24,7 @@ CELLS, WIDTH, SIDE, GAP = 24, 190.0, 180.0, 26.0
 BORDER = 8  # pixels left out of the PSNR
 
 
-def shown(subject: str, method: str) -> Floats:
+def displayed_picture(subject: str, method: str) -> Floats:
     """(H, W, 3) the picture as a screen shows it, or what a method makes of its mosaic."""
     truth = SUBJECTS[subject].draw(WHOLE)
     guess = demosaic(mosaic(truth), method=method) if method else truth
@@ -33,7 +33,7 @@ def shown(subject: str, method: str) -> Floats:
 
 def fidelity(subject: str, method: str) -> float:
     """PSNR in dB of the whole picture."""
-    return psnr_db(shown(subject, method), shown(subject, ""), crop=BORDER)
+    return psnr_db(displayed_picture(subject, method), displayed_picture(subject, ""), crop=BORDER)
 
 
 def draw() -> Illustration:
@@ -42,7 +42,7 @@ def draw() -> Illustration:
         overlay = ""
         for index, (subject, (row, column)) in enumerate(CORNERS.items()):
             top = index * (SIDE + GAP)
-            part = shown(subject, method)[row : row + CELLS, column : column + CELLS]
+            part = displayed_picture(subject, method)[row : row + CELLS, column : column + CELLS]
             overlay += picture(((WIDTH - SIDE) / 2, top), SIDE, SIDE, to_rgba8(part))
             if method:
                 decibels = f"{fidelity(subject, method):.1f} dB"

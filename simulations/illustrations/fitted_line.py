@@ -39,7 +39,7 @@ def rows() -> Floats:
     return np.asarray(design(COLUMNS[2]) @ TRUE + noise)
 
 
-def fits(origin: float) -> Floats:
+def fitted_lines(origin: float) -> Floats:
     """(lines, 2): row at ``origin`` and slope of the line fitted to each."""
     return np.asarray(np.linalg.lstsq(design(origin), rows().T, rcond=None)[0].T)
 
@@ -65,7 +65,7 @@ def _slope() -> Panel:
 def _residuals() -> Panel:
     plot = Plot(Axis(995, 1045, 48, 388), Axis(206.5, 213.5, 14, 172))
     measured = rows()[0]
-    fitted = design(COLUMNS[2]) @ fits(COLUMNS[2])[0]
+    fitted = design(COLUMNS[2]) @ fitted_lines(COLUMNS[2])[0]
     marks = [
         plot.frame(Scale("column", ticks=(1000, 1020, 1040)), Scale("row", ticks=(208, 210, 212))),
         path(
@@ -87,7 +87,10 @@ def _lines() -> Panel:
     ends = np.array([0.0, 1100.0])
     marks = [
         plot.frame(Scale("column", ticks=(500, 1020)), Scale("row", ticks=(100, 150, 200))),
-        *(plot.curve(ends, row + slope * ends, "image thin faint") for row, slope in fits(0.0)),
+        *(
+            plot.curve(ends, row + slope * ends, "image thin faint")
+            for row, slope in fitted_lines(0.0)
+        ),
         *(dot(plot.at(x, 210 + (x - 1020) / 10), "world", 2.5) for x in COLUMNS),
         label((58, 166), f"± {math.sqrt(covariance(0.0)[0, 0]):.0f} px", "error"),
         label((384, 108), f"± {math.sqrt(covariance(1020.0)[0, 0]):.1f} px", "error", "end"),
@@ -99,7 +102,7 @@ def _clouds() -> Panel:
     plot = Plot(Axis(-3.2, 3.2, 118, 278), Axis(-3.2, 3.2, 172, 28))
     marks = [plot.frame(Scale("row, σ", ticks=(-2, 0, 2)), Scale("slope, σ", ticks=(-2, 0, 2)))]
     for origin, style, radius in ((1020.0, "image", 3.0), (0.0, "error", 2.0)):
-        off = (fits(origin) - (210.0 + (origin - 1020.0) / 10, 0.1)) / np.sqrt(
+        off = (fitted_lines(origin) - (210.0 + (origin - 1020.0) / 10, 0.1)) / np.sqrt(
             np.diag(covariance(origin))
         )
         marks += [dot(plot.at(x, y), style, radius) for x, y in off]

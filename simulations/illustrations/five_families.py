@@ -44,7 +44,7 @@ def draw() -> Illustration:
             polygon(mapped(np.eye(3), CARD), "muted thin dashed"),
             path(grid(H), "image thin"),
             polygon(mapped(H, CARD), "image"),
-            playing_card.drawn(
+            playing_card.card_markup(
                 mapped(H, 0.5 + playing_card.OUTLINE / 80),
                 [mapped(H, 0.5 + shape / 80) for shape in playing_card.MARKS],
             ),

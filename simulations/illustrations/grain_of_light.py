@@ -17,7 +17,7 @@ GREY = 0.3  # displayed brightness of the mean, in linear light
 SEED = 6
 
 
-def counts(mean_e: float) -> Floats:
+def electron_counts(mean_e: float) -> Floats:
     """Electrons counted in each cell."""
     return shot_noise(np.full((CELLS, CELLS), float(mean_e)), np.random.default_rng(SEED))
 
@@ -26,7 +26,7 @@ def draw() -> Illustration:
     panels = []
     edge = (SIDE - CELLS * PITCH) / 2
     for mean in MEANS_E:
-        shown = encode_srgb(np.clip(GREY * counts(mean) / mean, 0, 1))
+        shown = encode_srgb(np.clip(GREY * electron_counts(mean) / mean, 0, 1))
         noise = f"noise {100 / math.sqrt(mean):.2g} %"
         overlay = picture((edge, 0.0), CELLS * PITCH, CELLS * PITCH, to_rgba8(shown))
         overlay += label((SIDE / 2, CELLS * PITCH + 20), noise, "muted", "middle")

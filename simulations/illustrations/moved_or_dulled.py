@@ -15,27 +15,27 @@ CROP = slice(56, 76), slice(40, 88)  # rows and columns
 MOVED_PX = 2.0
 
 
-def whole() -> Floats:
+def sharp_pictures() -> Floats:
     """(128, 128, 3) the pictures."""
     return pictures_at(*places())
 
 
-def moved() -> Floats:
+def shifted_pictures() -> Floats:
     """(128, 128, 3) the same, two pixels farther to the right."""
     x, y = places()
     return pictures_at(x - MOVED_PX, y)
 
 
-def dulled() -> Floats:
+def blurred_pictures() -> Floats:
     """(128, 128, 3) the same, without waves shorter than six pixels."""
     frequency = np.hypot(np.fft.fftfreq(SIZE)[:, None], np.fft.fftfreq(SIZE))
-    waves = np.fft.fft2(whole(), axes=(0, 1)) * (frequency < FINE)[..., None]
+    waves = np.fft.fft2(sharp_pictures(), axes=(0, 1)) * (frequency < FINE)[..., None]
     return np.fft.ifft2(waves, axes=(0, 1)).real
 
 
 def psnr_each(copies: Floats) -> list[float]:
     """PSNR of the three copies, in dB, within the window."""
-    truth = whole()
+    truth = sharp_pictures()
     return [psnr_db(copies[INSIDE, n], truth[INSIDE, n]) for n in range(len(PICTURES))]
 
 
@@ -49,9 +49,9 @@ def crops(pictures: Floats) -> str:
 
 def draw() -> Illustration:
     shown = {
-        "The pictures": whole(),
-        "Moved by 2 px": moved(),
-        "Without waves below 6 px": dulled(),
+        "The pictures": sharp_pictures(),
+        "Moved by 2 px": shifted_pictures(),
+        "Without waves below 6 px": blurred_pictures(),
     }
     panels = tuple(
         Panel(f"copy-{n}", title, WIDTH, 3 * HEIGHT + 6, overlay=crops(pictures))

@@ -30,7 +30,7 @@ def twins() -> Floats:
     return np.stack([sky, metameric_twins(sky, daylight(DAYLIGHT_K))])
 
 
-def seen() -> Floats:
+def pair_xyz() -> Floats:
     """(2, 3) CIE XYZ of both in daylight."""
     light = daylight(DAYLIGHT_K)
     return tristimulus(twins() * light, light)
@@ -57,7 +57,7 @@ def _surfaces() -> str:
         SHARES.curve(WAVELENGTHS_NM[SEEN], sky[SEEN], "world bold"),
         SHARES.curve(WAVELENGTHS_NM[SEEN], twin[SEEN], "camera bold dashed"),
     ]
-    for place, xyz in enumerate(seen()):
+    for place, xyz in enumerate(pair_xyz()):
         colour = encode_srgb(np.clip(xyz_to_linear_rgb(xyz), 0.0, 1.0))
         marks.append(swatch((196 + 44 * place, 16), 44, 36, colour.tolist()))
     marks += [
@@ -68,7 +68,7 @@ def _surfaces() -> str:
 
 
 def draw() -> Illustration:
-    x, y, z = seen()[0]
+    x, y, z = pair_xyz()[0]
     panels = (
         Panel("observer", "The eye’s three curves", WIDTH, HEIGHT, overlay=_observer()),
         Panel("surfaces", "Two surfaces, one colour", WIDTH, HEIGHT, overlay=_surfaces()),

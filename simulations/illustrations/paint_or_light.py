@@ -33,7 +33,7 @@ def _curve(value: float, style: str) -> str:
     return PLOT.curve(light, [albedo(value, at) for at in light], style)
 
 
-def _above(light: float, value: float, name: str, style: str) -> str:
+def _label_above(light: float, value: float, name: str, style: str) -> str:
     x, y = PLOT.at(light, albedo(value, light))
     return label((x + 9, y - 6), name, style)
 
@@ -42,9 +42,9 @@ def draw() -> Illustration:
     marks = [
         PLOT.frame(ACROSS, UP),
         *(_curve(value, "muted thin dashed") for value, _ in OTHERS),
-        *(_above(light, value, f"{value}", "muted") for value, light in OTHERS),
+        *(_label_above(light, value, f"{value}", "muted") for value, light in OTHERS),
         _curve(VALUE, "image bold"),
-        *(_above(light, VALUE, name, "world ground") for light, name in WALLS),
+        *(_label_above(light, VALUE, name, "world ground") for light, name in WALLS),
         *(dot(PLOT.at(light, albedo(VALUE, light)), "world", 4.5) for light, _ in WALLS),
         label((84, 26), f"pixel value {VALUE}", "image strong ground"),
         label((219, 262), "light on the wall", "light", "middle"),

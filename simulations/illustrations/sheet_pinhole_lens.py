@@ -18,15 +18,15 @@ HALF_LENS, HALF_SHEET = 56.0, 92.0
 type Ray = list[tuple[float, float]]
 
 
-def behind(height: float, at_opening: float, focal: float) -> float:
+def height_on_sheet(height: float, at_opening: float, focal: float) -> float:
     """Where a ray from the point meets the sheet: a thin lens bends it by its height over F."""
     slope = (at_opening - height) / (OPENING - SOURCE) - at_opening / focal
     return at_opening + slope * (SHEET - OPENING)
 
 
-def _through(height: float, heights: np.ndarray, focal: float) -> list[Ray]:
+def _rays_through(height: float, heights: np.ndarray, focal: float) -> list[Ray]:
     start = (SOURCE, MIDDLE + height)
-    rows = [(MIDDLE + y, MIDDLE + behind(height, y, focal)) for y in heights.tolist()]
+    rows = [(MIDDLE + y, MIDDLE + height_on_sheet(height, y, focal)) for y in heights.tolist()]
     return [[start, (OPENING, opening), (SHEET, sheet)] for opening, sheet in rows]
 
 
@@ -54,8 +54,8 @@ def draw() -> Illustration:
     lens = _wall(HALF_LENS) + glass((OPENING, MIDDLE), HALF_LENS, 9)
     straight, dim, bright = (
         [_straight(y) for _, y in POINTS],
-        [_through(y, np.zeros(1), np.inf) for _, y in POINTS],
-        [_through(y, across, FOCAL) for _, y in POINTS],
+        [_rays_through(y, np.zeros(1), np.inf) for _, y in POINTS],
+        [_rays_through(y, across, FOCAL) for _, y in POINTS],
     )
     panels = (
         _panel("sheet", "A sheet alone", straight, ""),

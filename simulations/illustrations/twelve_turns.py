@@ -4,7 +4,7 @@ import numpy as np
 
 from simulations.engine.drafting import label
 from simulations.engine.illustration import Illustration, Panel
-from simulations.illustrations.moved_or_dulled import HEIGHT, WIDTH, crops, whole
+from simulations.illustrations.moved_or_dulled import HEIGHT, WIDTH, crops, sharp_pictures
 from simulations.models.arrays import Floats
 from simulations.models.error_measures import psnr_db
 from simulations.models.sampling.fine_detail import fine_detail
@@ -17,13 +17,13 @@ TITLES = {"nearest": "Nearest", "bilinear": "Bilinear", "spline": "B-spline"}
 def turned(kernel: str) -> Floats:
     """(128, 128, 3) the pictures after twelve turns, each of the last result."""
     source = np.stack(places(TURN_RAD), axis=-1) + (SIZE - 1) / 2
-    table, pictures = gather_table(source, (SIZE, SIZE), kernel), whole()
+    table, pictures = gather_table(source, (SIZE, SIZE), kernel), sharp_pictures()
     for _ in range(TURNS):
         pictures = gather(table, pictures, fill=0.5)
     return pictures
 
 
-def judged(pictures: Floats, truth: Floats) -> tuple[float, float, float]:
+def quality(pictures: Floats, truth: Floats) -> tuple[float, float, float]:
     """PSNR in dB; fine detail present and in place, in %, as means over the pictures."""
     found = [fine_detail(pictures[..., n], truth[..., n]) for n in range(truth.shape[-1])]
     present, in_place = (
@@ -38,7 +38,7 @@ def draw() -> Illustration:
     size, foot = (WIDTH, 3 * HEIGHT + 50), 3 * HEIGHT + 23
     panels, said = [Panel("truth", "What belongs there", *size, overlay=crops(truth))], []
     for kernel, title in TITLES.items():
-        psnr, present, in_place = judged(pictures := turned(kernel), truth)
+        psnr, present, in_place = quality(pictures := turned(kernel), truth)
         said.append(f"{title}: {psnr:.1f} dB, {present:.0f} % present, {in_place:.0f} % in place")
         number = label((WIDTH / 2, foot), f"{psnr:.1f} dB", "image", "middle")
         others = f"{present:.0f} % present, {in_place:.0f} % in place"

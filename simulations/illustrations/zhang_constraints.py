@@ -11,10 +11,10 @@ from simulations.illustrations._board_before_camera import (
     R2,
     SQUARES,
     at,
-    beside,
     board,
     corner,
     image_plane,
+    offset_from,
     pierced,
 )
 
@@ -43,16 +43,16 @@ def draw() -> Illustration:
         dot(at(end2), "image", 4.5),
         dot(at(CENTRE), "camera", 5),
         label((ox - 12, oy + 5), "camera", "camera", "end"),
-        label(beside(end1, 8, 5), "h_1", "image italic ground"),
-        label(beside(end2, 8, 5), "h_2", "image italic ground"),
+        label(offset_from(end1, 8, 5), "h_1", "image italic ground"),
+        label(offset_from(end2, 8, 5), "h_2", "image italic ground"),
     ]
     second = [
         line(at(CENTRE), at(end1), "ray"),
         line(at(CENTRE), at(end2), "ray"),
         arrow(at(corner(0, 0)), at(corner(1, 0)), "error bold"),
         arrow(at(corner(0, 0)), at(corner(0, 1)), "error bold"),
-        label(beside(corner(0.6, 0), 0, -9), "r_1", "error italic", "middle"),
-        label(beside(corner(0, 0.6), -6, 4), "r_2", "error italic", "end"),
+        label(offset_from(corner(0.6, 0), 0, -9), "r_1", "error italic", "middle"),
+        label(offset_from(corner(0, 0.6), -6, 4), "r_2", "error italic", "end"),
     ]
     short = 0.35
     third = [polyline([at(short * R1), at(short * (R1 + R2)), at(short * R2)], "error")]

@@ -25,10 +25,10 @@ def widget_of(control: Control, start: Value, changed: Changed) -> Widget | None
             made.observe(lambda change: changed(control.nearest(change["new"])), "value")
         case Choice():
             options = [(label, value) for value, label in control.options.items()]
-            made = widgets.Dropdown(value=start, options=options, **described(control.label))
+            made = widgets.Dropdown(value=start, options=options, **label_options(control.label))
             made.observe(lambda change: changed(change["new"]), "value")
         case Toggle():
-            made = widgets.Checkbox(value=start, **described(control.label))
+            made = widgets.Checkbox(value=start, **label_options(control.label))
             made.observe(lambda change: changed(change["new"]), "value")
         case Action(drives=""):
             made = _button(control, int(start), changed)
@@ -63,11 +63,11 @@ def _slider(control: Slider, start: Value) -> Widget:
         max=control.maximum,
         step=control.step,
         readout_format=f".{control.decimals}f",
-        **described(control.label + unit),
+        **label_options(control.label + unit),
     )
 
 
-def described(label: str) -> dict[str, object]:
+def label_options(label: str) -> dict[str, object]:
     """What widgets with a label share."""
     return {
         "description": label,

@@ -17,7 +17,7 @@ from simulations.engine.frame import Frame, Readout, Sound
 from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
-from simulations.notebook.controls import Widget, described, mover, widget_of
+from simulations.notebook.controls import Widget, label_options, mover, widget_of
 from simulations.notebook.picture import frame_svg
 from simulations.registry import level_labels, load_scene
 
@@ -91,7 +91,7 @@ class Figure:
 
     def _menu_of_tiers(self) -> Widget:
         options = [(label, tier) for tier, label in level_labels(self.scene)]
-        menu = widgets.Dropdown(value=self.tier, options=options, **described("tier"))
+        menu = widgets.Dropdown(value=self.tier, options=options, **label_options("tier"))
         menu.observe(self._set_tier, "value")
         return menu
 

@@ -28,7 +28,7 @@ class Subject:
 
 
 def _room(window: Window) -> Floats:
-    return _cut(checker_room(WIDTH, HEIGHT, ROOM_FOCAL_PX), window)
+    return _cropped(checker_room(WIDTH, HEIGHT, ROOM_FOCAL_PX), window)
 
 
 def _soft(window: Window) -> Floats:
@@ -38,10 +38,10 @@ def _soft(window: Window) -> Floats:
         0.5 + 0.35 * np.cos(2 * np.pi * (x * np.cos(way) + y * np.sin(way)) / PERIOD_PX + lag)
         for way, lag in zip(WAYS_RAD, LAGS_RAD, strict=True)
     ]
-    return _cut(np.stack(waves, axis=-1).astype(np.float32), window)
+    return _cropped(np.stack(waves, axis=-1).astype(np.float32), window)
 
 
-def _cut(picture: Floats, window: Window) -> Floats:
+def _cropped(picture: Floats, window: Window) -> Floats:
     rows = slice(window.top, window.top + window.height)
     return picture[rows, window.left : window.left + window.width]
 

@@ -66,7 +66,7 @@ MARKS = (*(_heart(x, y, 11.0) for x, y in SEVEN), *_index(), *(-mark for mark in
 """Polygons (n, 2): the pips, and the index at both ends."""
 
 
-def drawn(outline: Floats, marks: list[Floats]) -> str:
+def card_markup(outline: Floats, marks: list[Floats]) -> str:
     """The card in its own colours, after a transformation and clipping; empty polygons are left
     out."""
     shapes = ((outline, PAPER), *((mark, RED) for mark in marks))

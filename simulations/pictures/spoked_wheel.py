@@ -103,7 +103,7 @@ def bars(canvas: Canvas, spokes: int, first_angle_rad: float, swept_rad: float) 
     return Bars(place, SPOKE / arc, 1.0 / arc, swept_rad / spacing)
 
 
-def throughout(row: Bars) -> Floats:
+def exposure_mean(row: Bars) -> Floats:
     """The exact mean over the exposure."""
     if row.swept == 0.0:
         return at_moment(row, 0.0)
@@ -124,7 +124,7 @@ def render(
     spokes: int,
     first_angle_rad: float,
     swept_rad: float,
-    exposure: Exposure = throughout,
+    exposure: Exposure = exposure_mean,
 ) -> NDArray[np.uint8]:
     """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and what is behind mix in linear light.
 

@@ -29,7 +29,7 @@ def stagecoach(width: int, height: int) -> Floats:
         paint(light, np.maximum(np.abs(x - middle) - slope, HORIZON - high - y), ROCK)
     down = np.clip((y - HORIZON) / (height - HORIZON), 0.0, 1.0)[..., None]
     ground = np.array(SAND) + down * (np.array(NEAR) - np.array(SAND))
-    light += covered(HORIZON - y + 0.0 * x)[..., None] * (ground - light)
+    light += coverage(HORIZON - y + 0.0 * x)[..., None] * (ground - light)
     for across, foot, size in BUSHES:
         rows, columns = (
             slice(foot - 2 * size, foot + 2),
@@ -76,11 +76,11 @@ def paint(
 ) -> None:
     """Lay a colour over the picture, in place, where the distance from a border is negative."""
     seen = outside < 0.5
-    cover = opacity * covered(outside[seen])[:, None]
+    cover = opacity * coverage(outside[seen])[:, None]
     tone = np.array(colour) * np.broadcast_to(shade, seen.shape)[seen][:, None]
     light[seen] += cover * (tone - light[seen])
 
 
-def covered(outside: Floats) -> Floats:
+def coverage(outside: Floats) -> Floats:
     """Share of each pixel inside."""
     return np.clip(0.5 - outside, 0.0, 1.0)

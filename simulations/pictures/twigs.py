@@ -39,7 +39,7 @@ def twigs(width: int, height: int) -> Floats:
     light = np.array(SKY) + share * (np.array(GLOW) - np.array(SKY))
     grown = np.array([segment for tree in trees(width, height) for segment in tree])
     for colour, some in ((BARK, grown[:, 4] > 0), (LEAF, grown[:, 4] < 0)):
-        cover = covered(np.abs(grown[some]), width, height)[..., None]
+        cover = coverage(np.abs(grown[some]), width, height)[..., None]
         light += cover * (np.array(colour) - light)
     return light.astype(np.float32)
 
@@ -55,28 +55,28 @@ def branch(
 ) -> Iterator[Segment]:
     """A branch in two pieces, and those that it bears; a leaf has a radius below zero."""
     for piece in (1, 2):
-        turn += 0.5 * (chance(number, piece) - 0.5)
+        turn += 0.5 * (low_discrepancy(number, piece) - 0.5)
         end = x + long / 2 * math.cos(turn), y + long / 2 * math.sin(turn)
         yield x, y, *end, max(thick, THINNEST_PX)
         x, y = end
         if level > 1:
-            side = 1 if chance(number, piece + 2) < 0.5 else -1
-            bend = side * (0.45 + 0.5 * chance(number, piece + 4))
-            shorter = long * (0.6 + 0.2 * chance(number, piece + 6))
+            side = 1 if low_discrepancy(number, piece + 2) < 0.5 else -1
+            bend = side * (0.45 + 0.5 * low_discrepancy(number, piece + 4))
+            shorter = long * (0.6 + 0.2 * low_discrepancy(number, piece + 6))
             which = 2 * number + piece
             yield from branch(x, y, turn + bend, shorter, 0.62 * thick, level - 1, which)
             turn -= 0.3 * bend
         thick *= 0.8
-    if level == 1 and chance(number, 9) < 0.12:
+    if level == 1 and low_discrepancy(number, 9) < 0.12:
         yield x, y, x + 3.0 * math.cos(turn), y + 3.0 * math.sin(turn), -1.6
 
 
-def chance(number: int, which: int) -> float:
+def low_discrepancy(number: int, which: int) -> float:
     """In [0, 1), evenly spread over the numbers."""
     return (GOLDEN * (number + 1) * (2 * which + 1) + 0.37 * which) % 1.0
 
 
-def covered(segments: Floats, width: int, height: int) -> Floats:
+def coverage(segments: Floats, width: int, height: int) -> Floats:
     """(height, width) share of each pixel under round-ended lines (n, 5)."""
     counts = np.ceil(np.hypot(*(segments[:, 2:4] - segments[:, :2]).T) / PIECE_PX).astype(int)
     whole = segments.repeat(counts, axis=0)

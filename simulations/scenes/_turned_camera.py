@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from simulations.engine.handles import Point
-from simulations.engine.space.solids import Face, drawn, shaded
+from simulations.engine.space.solids import Face, draw_solids, shaded
 from simulations.engine.space.view import View, orbit_axes
 from simulations.models.arrays import Floats
 
@@ -71,7 +71,7 @@ def draw_body(C: Floats, view: Floats, centre: tuple[float, float], unit: float)
     roles = [*((face, "camera") for face in BODY), (GLASS, "image")]
     turned = [(face @ C.T, role) for face, role in roles]
     faces = [Face(face, role, shaded(face, look, _TOWARDS_LIGHT)) for face, role in turned]
-    return drawn(faces, look)
+    return draw_solids(faces, look)
 
 
 def nearest(track: Floats, place: Point, distances: Floats) -> int:

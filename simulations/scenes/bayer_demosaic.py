@@ -129,7 +129,7 @@ def wipe(reconstruction: Raster, cells: Raster, split: float) -> Raster:
     return wiped(reconstruction, cells, split)
 
 
-def twice(shown: Raster) -> Raster:
+def doubled(shown: Raster) -> Raster:
     """Two samples per cell, as the fine pattern would beat with the screen's pixels."""
     return shown.repeat(2, axis=0).repeat(2, axis=1)
 
@@ -150,7 +150,7 @@ STAGES = (
     Stage("bytes of the mosaic", cells, ("mosaic",)),
     Stage("bytes of the reconstruction", picture_bytes, ("display",)),
     Stage("wipe", wipe, ("bytes of the reconstruction", "bytes of the mosaic")),
-    Stage("doubled", twice, ("wipe",), neutral=no_mosaic),
+    Stage("doubled", doubled, ("wipe",), neutral=no_mosaic),
     Stage("bytes of the error", amplified, ("error",)),
 )
 

@@ -127,7 +127,7 @@ def space(azimuth: float, elevation: float) -> View:
     return View(view_from(azimuth + 180.0, elevation), MIDDLE, UNITS_PER_M, MIDDLE_M)
 
 
-def in_camera(here: Standpoint, look: View) -> ToPanel:
+def camera_to_panel(here: Standpoint, look: View) -> ToPanel:
     """Points (..., 3) in camera coordinates in the second panel's view box (..., 2), which shows
     the whole room."""
     own = replace(look, centre=(0.0, 0.0), target=(0.0, 0.0, 0.0))
@@ -145,7 +145,7 @@ def from_camera(here: Standpoint, look: View) -> ToPanel:
 
 def to_camera(here: Standpoint, look: View) -> ToPanel:
     """World coordinates to the second panel."""
-    place = in_camera(here, look)
+    place = camera_to_panel(here, look)
     return lambda points: place(here.seen(points))
 
 
@@ -190,7 +190,7 @@ def world_panel(here: Standpoint, look: View) -> Panel:
 
 def camera_panel(here: Standpoint, look: View) -> Panel:
     """The room in camera coordinates, and the arrow t to the world's origin."""
-    place, own = to_camera(here, look), in_camera(here, look)
+    place, own = to_camera(here, look), camera_to_panel(here, look)
     centre, origin = own(np.zeros(3)), place(np.zeros(3))
     length = float(np.hypot(*(origin - centre)))
     apart = length > UNITS_PER_M
@@ -198,7 +198,7 @@ def camera_panel(here: Standpoint, look: View) -> Panel:
     aside = np.array([-along[1], along[0]])
     to_lamp = float(aside @ (place(LAMP) - centre))
     name = (centre + origin) / 2.0 - np.copysign(BESIDE, to_lamp) * aside
-    t = _cut(np.stack([centre, origin]), closed=False) if apart else centre[:0]
+    t = _clipped(np.stack([centre, origin]), closed=False) if apart else centre[:0]
     parts = (
         _furniture(place, here),
         _axes(place, "world", ("X", "Y", "Z"), here),
@@ -224,12 +224,12 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
             *(
                 drawing.group([drawing.polygon(floor, f"{role} solid faint")], "faint")
                 for area, role in ((WALLS, "world"), (here.field, "camera"))
-                if len(floor := _cut(place(area), closed=True))
+                if len(floor := _clipped(place(area), closed=True))
             ),
             *(
                 drawing.line(ends[0], ends[1], style)
                 for points, style in lines
-                if len(ends := _cut(place(points), closed=False)) == 2
+                if len(ends := _clipped(place(points), closed=False)) == 2
             ),
             *(drawing.polygon(thing, "world thin fill") for thing in things if len(thing)),
             _name(middle, "table", "world small"),
@@ -285,7 +285,7 @@ def _lamp(place: ToPanel, side: float) -> str:
 def _drop(place: ToPanel, point: Floats, style: str) -> str:
     """A line down to the floor."""
     foot = np.array([point[0], FLOOR_Y, point[2]])
-    return drawing.polyline(_cut(place(np.stack([point, foot])), closed=False), style)
+    return drawing.polyline(_clipped(place(np.stack([point, foot])), closed=False), style)
 
 
 def _name(at: Floats, words: str, style: str) -> str:
@@ -294,7 +294,7 @@ def _name(at: Floats, words: str, style: str) -> str:
     return drawing.text((at[0], at[1] + 4.0), words, f"{style} ground", "middle") if inside else ""
 
 
-def _cut(points: Floats, *, closed: bool) -> Floats:
+def _clipped(points: Floats, *, closed: bool) -> Floats:
     """A line or an area clipped to the view box."""
     return clip_to_rectangle(points, *BORDERS, closed)
 

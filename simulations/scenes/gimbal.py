@@ -281,11 +281,11 @@ def _names(C: Floats) -> Iterator[str]:
     ends = (("straight up", towards(0.0, 90.0)), ("straight down", towards(0.0, -90.0)))
     for name, direction in (*spots, *ends):
         spot = pictured(C, direction).tolist()
-        if _shown(spot, 45.0):
+        if _is_inside(spot, 45.0):
             yield drawing.text((spot[0], spot[1] + 18.0), name, "world small ground", "middle")
 
 
-def _shown(spot: Sequence[float], margin: float) -> bool:
+def _is_inside(spot: Sequence[float], margin: float) -> bool:
     """Whether a place is so far inside the panel; false for NaN."""
     x, y = spot
     return margin < x < WIDTH - margin and margin < y < HEIGHT - margin

@@ -91,7 +91,7 @@ class Settings:
     first: int = slider("Coefficients used", ALL, 1, ALL, 1, unit="of each block")
 
 
-def whole_codes(picture: str, photograph: Photograph | None) -> Floats:
+def rounded_codes(picture: str, photograph: Photograph | None) -> Floats:
     """(H, W, 3) sRGB of a picture, the book's or the reader's own, in whole codes of 255.
 
     Encoded in float64: powers of float32 differ between machines by enough to move a code.
@@ -110,11 +110,11 @@ def used(coded: jpeg.Coded, first: int) -> jpeg.Coded:
     return replace(coded, luma=luma, differences=(blue, red))
 
 
-def all_used(first: int) -> str:
+def all_coefficients_used(first: int) -> str:
     return "all coefficients are used" if first == ALL else ""
 
 
-def nothing_to_fill_in(subsampling: str) -> str:
+def no_subsampling(subsampling: str) -> str:
     return "every pixel has kept its own colour" if subsampling == "4:4:4" else ""
 
 
@@ -131,12 +131,12 @@ def fidelity(decoded: Floats, original: Floats) -> float:
 
 
 STAGES = (
-    Stage("original", whole_codes),
+    Stage("original", rounded_codes),
     Stage("planes", jpeg.to_planes, ("original",)),
     Stage("coded", coded, ("planes",)),
-    Stage("used", used, ("coded",), neutral=all_used),
+    Stage("used", used, ("coded",), neutral=all_coefficients_used),
     Stage("restored", jpeg.restore, ("used",)),
-    Stage("full colour", jpeg.fill_in_colour, ("restored",), neutral=nothing_to_fill_in),
+    Stage("full colour", jpeg.fill_in_colour, ("restored",), neutral=no_subsampling),
     Stage("decoded", jpeg.from_planes, ("full colour",)),
     Stage("bytes of the original", picture_bytes, ("original",)),
     Stage("bytes of the decoded", picture_bytes, ("decoded",)),
@@ -196,10 +196,10 @@ def code_table(codes: Codes, first: int) -> Iterator[str]:
     corner = (column * CELL_WIDTH + 1, row * CELL_HEIGHT + 1)
     for style in ("casing", "ray bold"):
         yield rectangle(corner, CELL_WIDTH - 2, CELL_HEIGHT - 2, style)
-    yield dot(knob(first), "ray", 5)
+    yield dot(coefficient_handle_place(first), "ray", 5)
 
 
-def knob(first: int) -> Point:
+def coefficient_handle_place(first: int) -> Point:
     """Handle in the middle of the lower edge of the last coefficient's cell, below its number."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
     lower = (row + 1) * CELL_HEIGHT - 1
@@ -322,7 +322,7 @@ def block_pulled(_settings: Settings, place: Point) -> dict[str, float]:
 
 
 def last_at(settings: Settings, _outputs: Outputs) -> Point:
-    return knob(settings.first)
+    return coefficient_handle_place(settings.first)
 
 
 def last_pulled(_settings: Settings, place: Point) -> dict[str, int]:

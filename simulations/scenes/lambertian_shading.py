@@ -134,24 +134,24 @@ def cased_arrow(start: drawing.Point, end: drawing.Point, style: str, head: floa
 
 def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normals: bool) -> str:
     """The equator seen from above, with true angles; the camera is at the bottom."""
-    night = [in_plan(light_rad + math.pi * (0.5 + step / 32), PLAN_RADIUS) for step in range(33)]
-    day = [in_plan(light_rad + math.pi * (step / 32 - 0.5), PLAN_RADIUS) for step in range(33)]
-    probed = in_plan(probe_rad, PLAN_RADIUS)
+    night = [plan_place(light_rad + math.pi * (0.5 + step / 32), PLAN_RADIUS) for step in range(33)]
+    day = [plan_place(light_rad + math.pi * (step / 32 - 0.5), PLAN_RADIUS) for step in range(33)]
+    probed = plan_place(probe_rad, PLAN_RADIUS)
     side = math.copysign(1.0, math.remainder(light_rad - probe_rad, 2 * math.pi))
     # Each label is on the side away from the other; that of l is not under the lamp.
-    n_label = away(probed, probe_rad - 0.2 * side, VECTOR + 2)
-    l_label = away(probed, light_rad + 0.3 * side, 0.7 * VECTOR)
+    n_label = plan_offset(probed, probe_rad - 0.2 * side, VECTOR + 2)
+    l_label = plan_offset(probed, light_rad + 0.3 * side, 0.7 * VECTOR)
     parts = [
         *plan_rays(light_rad),
         drawing.polygon(night, "muted fill"),
         drawing.polyline(day, "light bold"),
         drawing.line(night[0], night[-1], "light dashed"),
-        _ball.lamp(in_plan(light_rad, LAMP_DISTANCE)),
+        _ball.lamp(plan_place(light_rad, LAMP_DISTANCE)),
         *(plan_normals() if show_normals else ()),
         camera(),
         angle_theta(probed, probe_rad, light_rad, theta_rad),
-        drawing.arrow(probed, away(probed, light_rad, VECTOR), "light bold"),
-        drawing.arrow(probed, away(probed, probe_rad, VECTOR), "world bold"),
+        drawing.arrow(probed, plan_offset(probed, light_rad, VECTOR), "light bold"),
+        drawing.arrow(probed, plan_offset(probed, probe_rad, VECTOR), "world bold"),
         drawing.dot(probed, "ray", 5.5),
         drawing.text((n_label[0], n_label[1] + 4), "n", "world strong ground", "middle"),
         drawing.text((l_label[0], l_label[1] + 4), "l", "light strong ground", "middle"),
@@ -162,26 +162,26 @@ def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normal
 def plan_rays(light_rad: float) -> Iterator[str]:
     """Parallel rays that end on the lit half of the equator."""
     for share in (-0.8, -0.4, 0, 0.4, 0.8):
-        foot = in_plan(light_rad + math.pi / 2, share * PLAN_RADIUS)
+        foot = plan_place(light_rad + math.pi / 2, share * PLAN_RADIUS)
         near = PLAN_RADIUS * math.sqrt(1 - share**2) + 4
-        start, end = away(foot, light_rad, RAY_START), away(foot, light_rad, near)
+        start, end = plan_offset(foot, light_rad, RAY_START), plan_offset(foot, light_rad, near)
         yield drawing.arrow(start, end, "light thin faint", head=7)
 
 
 def plan_normals() -> Iterator[str]:
     for degrees in range(-90, 91, 15):
         angle = math.radians(degrees)
-        foot = in_plan(angle, PLAN_RADIUS)
-        yield drawing.arrow(foot, away(foot, angle, 24), "world thin", head=6)
+        foot = plan_place(angle, PLAN_RADIUS)
+        yield drawing.arrow(foot, plan_offset(foot, angle, 24), "world thin", head=6)
 
 
 def angle_theta(probed: drawing.Point, probe_rad: float, light_rad: float, theta_rad: float) -> str:
     """The arc from n to l, the short way round."""
     turn = math.remainder(light_rad - probe_rad, 2 * math.pi)
-    arc = [away(probed, probe_rad + turn * step / 24, ARC) for step in range(25)]
+    arc = [plan_offset(probed, probe_rad + turn * step / 24, ARC) for step in range(25)]
     # Between the arms where there is room for it, else beside n.
     towards = probe_rad + (turn / 2 if theta_rad > 0.4 else -math.copysign(0.34, turn))
-    x, y = away(probed, towards, ARC + 16)
+    x, y = plan_offset(probed, towards, ARC + 16)
     return drawing.polyline(arc, "ray") + drawing.text(
         (x, y + 4), "θ", "ray strong ground", "middle"
     )
@@ -197,12 +197,12 @@ def camera() -> str:
     )
 
 
-def in_plan(angle_rad: float, radius: float) -> tuple[float, float]:
+def plan_place(angle_rad: float, radius: float) -> tuple[float, float]:
     """A place at a distance from the sphere's centre, seen from above."""
-    return away(PLAN_CENTRE, angle_rad, radius)
+    return plan_offset(PLAN_CENTRE, angle_rad, radius)
 
 
-def away(start: drawing.Point, angle_rad: float, length: float) -> tuple[float, float]:
+def plan_offset(start: drawing.Point, angle_rad: float, length: float) -> tuple[float, float]:
     """Go from a point of the plan in a direction; the camera's direction is down the page."""
     return start[0] + length * math.sin(angle_rad), start[1] + length * math.cos(angle_rad)
 
@@ -279,11 +279,11 @@ def on_curve(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
 
 
 def lamp_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
-    return in_plan(math.radians(settings.light_angle), LAMP_DISTANCE)
+    return plan_place(math.radians(settings.light_angle), LAMP_DISTANCE)
 
 
 def probe_above_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
-    return in_plan(math.radians(settings.probe), PLAN_RADIUS)
+    return plan_place(math.radians(settings.probe), PLAN_RADIUS)
 
 
 def paint_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:

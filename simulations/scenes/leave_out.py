@@ -113,7 +113,7 @@ EFFECTS: Mapping[str, str] = {
 LABELS = {each.name: each.label for each in controls_of(Settings) if each.name in EFFECTS}
 
 
-def left_out(settings: Settings, _tier: str = "") -> dict[str, str]:
+def omitted_effects(settings: Settings, _tier: str = "") -> dict[str, str]:
     """The names of the effects that are switched off, as one parameter."""
     return {"left": " ".join(name for name in EFFECTS if not getattr(settings, name))}
 
@@ -134,7 +134,7 @@ def bend(rays: Rays, k1: float, k2: float, with_k2: bool) -> Rays:
     return bend_rays(rays, k1, k2 if with_k2 else 0.0)
 
 
-def meet(
+def find_surfaces(
     rays: Rays, back: float, origin_m: float, with_area: bool, with_double: bool
 ) -> tuple[Surface, ...]:
     seen = still_life.view(rays.directions, rays.valid, back)
@@ -158,7 +158,9 @@ def no_falloff(with_falloff: bool) -> str:
     return "" if with_falloff else "cos⁴ is left out"
 
 
-def count(irradiance: Planes, white_e: float, with_poisson: bool, draw: int = 0) -> Planes:
+def count_electrons(
+    irradiance: Planes, white_e: float, with_poisson: bool, draw: int = 0
+) -> Planes:
     """Electrons, as a share of white: quantiles of Poisson's distribution, or of a rounded
     Gaussian, at the same random numbers."""
     model: ShotModel = "quantile" if with_poisson else "gaussian"
@@ -169,12 +171,12 @@ def count(irradiance: Planes, white_e: float, with_poisson: bool, draw: int = 0)
 MODEL = (
     Stage("rays", pinhole_rays),
     Stage("bent rays", bend, ("rays",)),
-    Stage("surfaces", meet, ("bent rays",)),
+    Stage("surfaces", find_surfaces, ("bent rays",)),
     Stage("light", shade, ("surfaces",)),
     Stage("defocus", defocus, ("light",), neutral=no_blur),
     Stage("overlay", overlay, ("defocus",)),
     Stage("falloff", vignette, ("overlay",), neutral=no_falloff),
-    Stage("counted", count, ("falloff",)),
+    Stage("counted", count_electrons, ("falloff",)),
 )
 
 
@@ -197,19 +199,19 @@ class Complete:
     """RMS in codes, by the name of the effect."""
 
 
-def complete(photo: str) -> Complete:
+def complete_model(photo: str) -> Complete:
     cache = StageCache(depth=len(EFFECTS))
 
     def mean(left: str = "") -> Planes:
         return np.asarray(run(MODEL, parameters(photo, left), cache).outputs["falloff"])
 
     def counted(poisson: bool, draw: int) -> Planes:
-        return codes(count(mean(), PHOTOS[photo].white_e, poisson, draw))
+        return codes(count_electrons(mean(), PHOTOS[photo].white_e, poisson, draw))
 
     noise = [counted(False, draw) - counted(True, draw) for draw in range(DRAWS)]
     truth = codes(mean())
     costs = {name: root_mean_square(codes(mean(name)) - truth) for name in EFFECTS}
-    whole = count(mean(), PHOTOS[photo].white_e, True)
+    whole = count_electrons(mean(), PHOTOS[photo].white_e, True)
     return Complete(whole, truth, noise[0], {**costs, "poisson": root_mean_square(noise)})
 
 
@@ -234,7 +236,7 @@ def take(whole: Complete, photo: str, left: str) -> Taken:
     return Taken(outputs["counted"], off, rms)
 
 
-STAGES = (Stage("complete", complete), Stage("taken", take, ("complete",)))
+STAGES = (Stage("complete", complete_model), Stage("taken", take, ("complete",)))
 
 
 def reasons(photo: str) -> dict[str, str]:
@@ -263,7 +265,7 @@ def share(codes: float) -> float:
     return min(max(math.log(max(codes, 1e-9) / LEAST) / math.log(MOST / LEAST), 0.0), 1.0)
 
 
-def measured_here(name: str, row: float, style: str) -> str:
+def measured_time(name: str, row: float, style: str) -> str:
     """A number that `times` finds."""
     number = text((MS_END, row), "–", style, "end")
     return number.replace("<text", f'<text data-estimate="{name}"', 1)
@@ -283,11 +285,11 @@ def costs(settings: Settings, whole: Complete, rms: float) -> Iterator[str]:
         style = "error fill" if inside else "error solid"
         yield box((BAR, row - 7), max(BAR_WIDTH * share(cost), 1.5), 12, 2, style)
         yield text((CODES_END, row + 4), format_number(cost, 2 if cost < 10 else 1), "", "end")
-        yield measured_here(name, row + 4, "")
+        yield measured_time(name, row + 4, "")
     yield line((6, low + 6), (MS_END, low + 6), "muted thin")
     yield text((6, low + 26), "left out, together", "strong")
     yield text((CODES_END, low + 26), format_number(rms, 2), "error strong", "end")
-    yield measured_here("saved", low + 26, "strong")
+    yield measured_time("saved", low + 26, "strong")
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -326,7 +328,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
 
 
-def small(_settings: Settings, outputs: Outputs) -> dict[str, Value]:
+def significant_effects(_settings: Settings, outputs: Outputs) -> dict[str, Value]:
     """Each effect in the model or not, by what it costs here."""
     return {name: cost >= HALF_A_CODE for name, cost in outputs["complete"].costs.items()}
 
@@ -357,7 +359,7 @@ def times(settings: Settings, clock: Clock) -> Iterator[Readout]:
             whole[name] = min(whole[name], run_here(given))
             without[name] = min(without[name], run_here(parameters(settings.photo, name)))
             yield saved(name, name)
-        yield saved("saved", *left_out(settings)["left"].split())
+        yield saved("saved", *omitted_effects(settings)["left"].split())
 
 
 SCENE = Scene(
@@ -367,7 +369,7 @@ SCENE = Scene(
     draw,
     STAGES,
     handles=(wipe_handle("photograph", "split", WIDTH, HEIGHT),),
-    sets={"small": small},
+    sets={"small": significant_effects},
     times=times,
-    parameters=left_out,
+    parameters=omitted_effects,
 )

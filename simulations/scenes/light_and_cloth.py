@@ -55,7 +55,7 @@ MARKED_NM = (490, 600)
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class EyeResponse:
     """Twelve surfaces to the eye, and their twins in a second row: (2, 12, 3) each."""
 
     xyz: Floats  # XYZ in this light; white has Y = 1
@@ -71,11 +71,11 @@ def chart(twin: bool) -> Chart:
     return Chart(ROWS, 120) if twin else Chart(ROWS, 128, gap=0)
 
 
-def seen_by_eye(light: Floats, pairs: Floats) -> Seen:
+def eye_response(light: Floats, pairs: Floats) -> EyeResponse:
     xyz = tristimulus(pairs * light, light)
     x, y = white_xy(light)
     original, twin = cie.xyz_to_lab(xyz, (x, y))
-    return Seen(
+    return EyeResponse(
         xyz=xyz,
         white_xy=(x, y),
         here=cie.xyz_to_linear_rgb(adapt(xyz, (x, y), cie.D65_XY)),
@@ -89,7 +89,7 @@ def white_xy(light: Floats) -> tuple[float, float]:
     return x, y
 
 
-def picture(seen: Seen, twin: bool) -> Raster:
+def picture(seen: EyeResponse, twin: bool) -> Raster:
     """The surfaces, hung side by side like cloths; twins in the lower halves."""
     flat = chart(twin).paint((seen.here, seen.by_day), twin=twin)
     cloths = flat.repeat(UNIT, axis=0).repeat(UNIT, axis=1)
@@ -110,7 +110,7 @@ STAGES = (
     Stage("light", _spectra.light_of),
     Stage("surfaces", _spectra.surfaces_of),
     Stage("pairs", _spectra.with_twins, ("surfaces",)),
-    Stage("seen", seen_by_eye, ("light", "pairs")),
+    Stage("seen", eye_response, ("light", "pairs")),
     Stage("picture", picture, ("seen",)),
 )
 
@@ -145,7 +145,7 @@ def whites(light: str) -> Floats:
     return np.array([white_xy(_spectra.light_of(light, each)) for each in kelvin.tolist()])
 
 
-def diagram(light: str, seen: Seen, chosen: int, *, twin: bool) -> str:
+def diagram(light: str, seen: EyeResponse, chosen: int, *, twin: bool) -> str:
     """Chromaticities of pure colours, the display's gamut, the whites, and the surfaces."""
     pairs = xyz_to_xyy(seen.xyz)[..., :2]
     line = whites(light if light == "daylight" else "planck")
@@ -205,7 +205,7 @@ def horseshoe() -> Raster:
 
 
 def draw(settings: LitSurface, outputs: Outputs) -> Frame:
-    seen: Seen = outputs["seen"]
+    seen: EyeResponse = outputs["seen"]
     chosen = NAMES.index(settings.surface)
     pair, light = outputs["pairs"][:, chosen], outputs["light"]
     curves = spectra(light, pair, twin=settings.twin, cloth=settings.surface == "cloth")
@@ -230,7 +230,7 @@ def draw(settings: LitSurface, outputs: Outputs) -> Frame:
     )
 
 
-def describe(settings: LitSurface, seen: Seen, chosen: int) -> str:
+def describe(settings: LitSurface, seen: EyeResponse, chosen: int) -> str:
     x, y = (format_number(float(each), 3) for each in xyz_to_xyy(seen.xyz[0, chosen])[:2])
     sentence = f"{_spectra.lit_surface(settings)} has the chromaticity x = {x}, y = {y}"
     if _spectra.outside_gamut(seen.by_day[0, chosen]):

@@ -78,7 +78,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         plane.figure(np.eye(3), "world"),
         plane.lines_at_infinity(H),
         plane.figure(H, "image"),
-        plane.point_and_image(H, family.way("projective")[::4], point),
+        plane.point_and_image(H, family.matrices_of_amounts("projective")[::4], point),
     )
     size = (
         "is cut where it reaches the line that is sent to infinity"

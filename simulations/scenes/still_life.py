@@ -30,7 +30,7 @@ from simulations.scenes._still_life_camera import (
     line_on_floor,
     overlay,
 )
-from simulations.world.depth import depth_met
+from simulations.world.depth import ray_depth
 from simulations.world.layers import LitScene
 from simulations.world.things import THINGS, thing_depth
 
@@ -106,9 +106,9 @@ def middle(_settings: Settings, _outputs: Outputs) -> Point:
     return WIDTH / 2, HEIGHT / 2
 
 
-def aimed(_settings: Settings, place: Point) -> Mapping[str, Value]:
+def focus_on(_settings: Settings, place: Point) -> Mapping[str, Value]:
     """Focus on the thing at a place of the picture."""
-    return {"focus": depth_met((*tangents(place), 1.0))}
+    return {"focus": ray_depth((*tangents(place), 1.0))}
 
 
 SCENE = Scene(
@@ -130,7 +130,7 @@ SCENE = Scene(
             "Object to focus on",
             drives=("focus",),
             at=middle,
-            pull=aimed,
+            pull=focus_on,
             reach="aim",
         ),
         Handle("focus", "picture", "Focus", drives=("focus",), at=focus_at, role="ray"),

@@ -62,13 +62,13 @@ def unpulled(settings: Settings) -> Floats:
 def matrix(settings: Settings) -> Floats:
     """The matrix (3, 3) that the figure shows."""
     pull = (settings.pull_x, settings.pull_y)
-    return family.pulled(settings.transform, unpulled(settings), pull)
+    return family.with_moved_corner(settings.transform, unpulled(settings), pull)
 
 
 def square_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
     """Original and image on common axes."""
     pulled = settings.pull_x != 0.0 or settings.pull_y != 0.0
-    matrices = family.way(settings.transform)[: 0 if pulled else None : 4]
+    matrices = family.matrices_of_amounts(settings.transform)[: 0 if pulled else None : 4]
     parts = (
         plane.axes(),
         plane.figure(np.eye(3), "world"),
@@ -88,7 +88,7 @@ def frame_of(name: str) -> tuple[float, float, float, float]:
     return left, 8.0 + 64.0 * depth, WIDTH - left, HEIGHT - 8.0 - 12.0 * depth
 
 
-def grip(name: str) -> Point:
+def family_handle_place(name: str) -> Point:
     """The handle of a family, below its degrees of freedom."""
     _, top, right, _ = frame_of(name)
     return right - 32.0, top + 46.0
@@ -107,7 +107,7 @@ def hierarchy_panel(current: str) -> Panel:
             drawing.text((left + 12.0, top + 45.0), keeps, f"{role} small"),
             drawing.text((right - 12.0, top + 25.0), freedoms, role, "end"),
         ]
-    overlay = "".join(parts) + drawing.dot(grip(current), "image", 4.0)
+    overlay = "".join(parts) + drawing.dot(family_handle_place(current), "image", 4.0)
     return Panel("hierarchy", "Each family contains the next", WIDTH, HEIGHT, overlay=overlay)
 
 
@@ -234,7 +234,7 @@ SCENE = Scene(
             "hierarchy",
             "Family mark",
             drives=("transform",),
-            at=lambda settings, _: grip(settings.transform),
+            at=lambda settings, _: family_handle_place(settings.transform),
             pull=family_pulled,
             reach="press",
             role="image",

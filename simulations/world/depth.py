@@ -10,7 +10,7 @@ from simulations.world.surfaces import FLOOR_PLANE, WALL_PLANE
 from simulations.world.things import THINGS, depth_along_axis, thing_depth, view
 
 
-def depth_met(ray_camera: ArrayLike, back: float = 0.0) -> float:
+def ray_depth(ray_camera: ArrayLike, back: float = 0.0) -> float:
     """Depth along the optical axis in metres; for a thing, that of its centre.
 
     ``ray_camera`` (3,) is in the camera frame, z = 1. Rays above the wall meet it too, as it is

@@ -31,7 +31,9 @@ def lamp_direction(light_angle_deg: float) -> Vector:
 def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:
     """(3, h, w) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
     others = [thing for thing in THINGS if thing is not part.thing]
-    direct = (lambert(part.normals, lamp) * lamp_seen(part.points, lamp, others)).astype(np.float32)
+    direct = (lambert(part.normals, lamp) * lamp_visibility(part.points, lamp, others)).astype(
+        np.float32
+    )
     from_above = (0.5 + 0.5 * part.normals[..., 2]) * part.openness
     around = tinted(ROOM, from_above)
     if bounced:
@@ -61,7 +63,9 @@ def shadow_corners(solid: Sphere | Box, lamp: Vector) -> tuple[Floats, Floats]:
     return shadow_bounds(solid, lamp, LAMP_RADIUS_RAD)
 
 
-def lamp_seen(points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1) -> Floats:
+def lamp_visibility(
+    points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1
+) -> Floats:
     """Share (H, W) of the lamp that the things do not hide from points (H, W, 3)."""
     seen = np.ones(points.shape[:2])
     for window, place in _penumbras(points, lamp, things, stride):

@@ -17,8 +17,8 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.soft_shadows import bounding_radius, smooth_ramp
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
-from simulations.world.light import lamp_direction, lamp_penumbra, lamp_seen, shadow_corners
-from simulations.world.surfaces import sky_seen, windows_between
+from simulations.world.light import lamp_direction, lamp_penumbra, lamp_visibility, shadow_corners
+from simulations.world.surfaces import sky_visibility, windows_between
 from simulations.world.things import Thing
 from simulations.world.tracing import FACES, NUMBERED, Numbers
 from simulations.world.walls import ALONG
@@ -140,8 +140,8 @@ class TracedLight:
     def on_flat(self, _surface: Numbers, points: Floats, normals: Floats) -> Floats:
         at = points.T[None]
         facing = np.broadcast_to(normals.T, at.shape)
-        openness = sky_seen(at, facing, ROOM, REACH)
-        return np.concatenate([lamp_seen(at, self.lamp, ROOM), openness])
+        openness = sky_visibility(at, facing, ROOM, REACH)
+        return np.concatenate([lamp_visibility(at, self.lamp, ROOM), openness])
 
     on_ball = on_flat
 
@@ -153,7 +153,7 @@ def traced_light(light_angle: float) -> TracedLight:
 
 
 def _bounds(lamp: Vector) -> Floats:
-    return np.array([covered(wall, lamp) for wall in range(len(WALLS))]).swapaxes(1, 2)
+    return np.array([shadowed_bounds(wall, lamp) for wall in range(len(WALLS))]).swapaxes(1, 2)
 
 
 @lru_cache(maxsize=4)
@@ -194,13 +194,13 @@ def _shares(patches: Sequence[Patch], others: Sequence[Thing], lamp: Vector) -> 
             np.concatenate([each.reshape(-1, 3) for each in arrays])[None]
             for arrays in zip(*((patch.points, patch.normals) for patch in patches), strict=True)
         )
-    points = _uncovered(points, normals, others)
+    points = _moved_to_sides(points, normals, others)
     seen = lamp_penumbra(points, lamp, others, BEYOND)
-    openness = sky_seen(points, normals, others, REACH)
+    openness = sky_visibility(points, normals, others, REACH)
     return np.stack([seen.ravel(), openness.ravel()]).astype(np.float32)
 
 
-def _uncovered(points: Floats, normals: Floats, others: Sequence[Thing]) -> Floats:
+def _moved_to_sides(points: Floats, normals: Floats, others: Sequence[Thing]) -> Floats:
     """Points on which a box stands are moved to its sides: they are not seen, but the light between
     them and their neighbours is."""
     boxes = [thing.solid for thing in others if isinstance(thing.solid, Box)]
@@ -222,7 +222,7 @@ def _uncovered(points: Floats, normals: Floats, others: Sequence[Thing]) -> Floa
     return moved
 
 
-def covered(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
+def shadowed_bounds(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
     """Bounds (2,), along u and v, of the part of a wall from which a thing may keep light; the rest
     is as light as the edge of that part."""
     along, across, place = list(ALONG[wall]), wall // 2, (LOW, HIGH)[wall % 2][wall // 2]

@@ -23,7 +23,7 @@ DOOR = np.array([(HIGH[0], DOORWAY[0]), (HIGH[0], DOORWAY[1])])
 CHART_EDGE = np.array([(CHART[0] + side * CHART[2], HIGH[1]) for side in (-0.5, 0.5)])
 
 
-def drawn(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.Point) -> str:
+def plan_markup(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.Point) -> str:
     """Walls, chart, and things in their colours.
 
     ``place`` takes places (n, 2) to the view box, of which the part from ``low`` to ``high`` is

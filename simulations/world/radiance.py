@@ -78,7 +78,7 @@ class Finish:
 
 
 @cache
-def finish() -> Finish:
+def surface_finish() -> Finish:
     rows: list[Planes] = [np.zeros(9, np.float32)] * len(WALLS)
     for thing, _ in NUMBERED:
         one = isinstance(thing.solid, Sphere)
@@ -101,7 +101,7 @@ def finish() -> Finish:
 
 def normals_of(surface: Surfaces, points: Floats) -> Planes:
     """(3, H, W) unit normals of surfaces (H, W) at points (H, W, 3) in metres."""
-    looks = finish()
+    looks = surface_finish()
     normals = looks.normals.take(surface, axis=1)
     ball = surface >= FIRST_BALL
     own = surface[ball]
@@ -148,19 +148,19 @@ def radiance(samples: Samples, arriving: LightMap | TracedLight, lighting: Light
                 plane[at] = values
 
     for wall in range(len(WALLS)):
-        fill(samples.surface == wall, _wall, wall)
-    fill((samples.surface >= len(WALLS)) & (samples.surface != NOTHING), _things)
+        fill(samples.surface == wall, _radiance_of_wall, wall)
+    fill((samples.surface >= len(WALLS)) & (samples.surface != NOTHING), _radiance_of_things)
     return light_there
 
 
-def _wall(
+def _radiance_of_wall(
     samples: Samples, wall: int, arriving: LightMap | TracedLight, lighting: Lighting
 ) -> Planes:
     """(3, n) light from a wall."""
     u, v = ALONG[wall]
     (across, wide), (along, high) = (_on_wall(samples, axis, wall) for axis in (u, v))
     means = albedo(wall, across, along, wide, high)
-    normal = finish().normals[:, wall]
+    normal = surface_finish().normals[:, wall]
     lamp, upright, gain, sky = lighting.colours
     direct = lamp * np.maximum(normal @ lighting.towards, 0)
     around = upright + gain * normal[2]
@@ -200,9 +200,11 @@ def _on_wall(samples: Samples, axis: int, wall: int) -> tuple[Floats, Floats]:
     return place, wide
 
 
-def _things(samples: Samples, arriving: LightMap | TracedLight, lighting: Lighting) -> Planes:
+def _radiance_of_things(
+    samples: Samples, arriving: LightMap | TracedLight, lighting: Lighting
+) -> Planes:
     """(3, n) light from boxes and balls."""
-    looks, surface = finish(), samples.surface.astype(np.intp)
+    looks, surface = surface_finish(), samples.surface.astype(np.intp)
     directions = samples.camera.directions(samples.x, samples.y)
     points = directions * samples.depth
     points += samples.camera.eye.astype(np.float32)[:, None]
@@ -220,10 +222,10 @@ def _things(samples: Samples, arriving: LightMap | TracedLight, lighting: Lighti
         if thing.second_albedo and (own := np.flatnonzero(surface == first)).size:
             stripes_of = (part.take(own, axis=1) for part in (directions, normals))
             colours[:, own] = _striped(thing, samples.at(own), *stripes_of)
-    return _lit(surface, directions, normals, colours, shares, lighting)
+    return _shaded(surface, directions, normals, colours, shares, lighting)
 
 
-def _lit(
+def _shaded(
     surface: Numbers,
     directions: Floats,
     normals: Floats,
@@ -237,7 +239,7 @@ def _lit(
     direct += upright * shares[1]
     direct += gain * (normals[2] * shares[1])
     direct *= colours
-    gloss = finish().gloss.take(surface)
+    gloss = surface_finish().gloss.take(surface)
     if (at := np.flatnonzero(gloss)).size:
         to_eye = -directions.take(at, axis=1)
         to_eye /= np.sqrt(np.einsum("in,in->n", to_eye, to_eye))
@@ -247,7 +249,7 @@ def _lit(
             to_eye.T,
             albedo=0.0,
             specular=gloss.take(at),
-            shininess=finish().shininess.take(surface.take(at)),
+            shininess=surface_finish().shininess.take(surface.take(at)),
         )
         highlight *= shares[0].take(at)
         for plane, colour in zip(direct, lamp, strict=True):

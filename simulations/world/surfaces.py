@@ -100,7 +100,7 @@ def _thing_surface(thing: Thing, seen: WorldRays) -> Surface | None:
         facing = outwards / np.linalg.norm(outwards, axis=-1, keepdims=True)
     normals = _mean_normals(thing.solid, seen, directions, facing)
     albedo, depth = thing_albedo(thing, facing, seen.area), thing_depth(thing) + seen.back
-    openness = sky_seen(points, facing, THINGS)
+    openness = sky_visibility(points, facing, THINGS)
     rows, columns = window
     return Surface(
         thing=thing,
@@ -170,7 +170,7 @@ def mixed(first: Floats, second: Floats, share: Floats) -> Planes:
     return start[:, None, None] + change[:, None, None] * share.astype(np.float32)
 
 
-def sky_seen(
+def sky_visibility(
     points: Floats,
     normals: Floats,
     things: Sequence[Thing],
@@ -235,7 +235,7 @@ def _backdrop(seen: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> S
     distance = _distance(*plane, seen, directions)
     points = seen.kept(seen.eye + directions * distance[..., None])
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
-    openness = sky_seen(points, normals, THINGS)
+    openness = sky_visibility(points, normals, THINGS)
     if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor in front of it
         away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))

@@ -130,7 +130,7 @@ def camera_at(K: ArrayLike, world_to_camera: ArrayLike) -> Camera:
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class FirstHits:
     """What the rays through some places meet first."""
 
     nearness: Planes
@@ -151,7 +151,7 @@ def pixels(width: int, height: int) -> tuple[Planes, Planes]:
     return x[None], y[:, None]
 
 
-def trace(camera: Camera, x: Floats, y: Floats) -> Seen:
+def trace(camera: Camera, x: Floats, y: Floats) -> FirstHits:
     """The first surface that each ray meets, of a grid of columns (1, W) and rows (H, 1) or of a
     list of places, both (1, n), that goes on from row to row.
 
@@ -177,7 +177,7 @@ def trace(camera: Camera, x: Floats, y: Floats) -> Seen:
             )
             surface[window] = np.where(near > before, face + np.uint8(first), surface[window])
             nearness[window] = np.maximum(near, before)
-    return Seen(nearness, surface)
+    return FirstHits(nearness, surface)
 
 
 def _of_grid(

@@ -7,7 +7,7 @@ from time import perf_counter
 from typing import Any
 
 import simulations
-from simulations.editing.exercise import Exercise, judged, prove
+from simulations.editing.exercise import Exercise, check_claims, findings
 from simulations.registry import load_ladder
 from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
@@ -44,7 +44,7 @@ def _find_faults(
 ) -> list[tuple[int | None, str]]:
     """What is wrong, with the number of the answer: 0 for the solution, None for the start."""
     try:
-        run_in_pool(partial(prove, exercise))
+        run_in_pool(partial(check_claims, exercise))
         if miss := _judgement(exercise, exercise.solution, "values")["miss"]:
             return [(0, f"the solution is wrong: {_difference(miss)}; legal: a right one")]
         if exercise.hard:
@@ -69,7 +69,7 @@ def _find_faults(
 
 
 def _judgement(exercise: Exercise, code: str, stage: str) -> dict[str, Any]:
-    return run_in_pool(partial(judged, exercise, code, stage, load_ladder, perf_counter))
+    return run_in_pool(partial(findings, exercise, code, stage, load_ladder, perf_counter))
 
 
 def _is_wrong(exercise: Exercise, code: str) -> bool:

@@ -7,7 +7,7 @@ import skimage
 from support.frames import outputs_of
 from support.worked_numbers import CONTENT, Phrases
 
-from simulations.illustrations.twelve_turns import TITLES, judged, turned
+from simulations.illustrations.twelve_turns import TITLES, quality, turned
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.resampling import KERNELS
@@ -107,7 +107,7 @@ def detail_after_twelve_turns() -> Phrases:
     for kernel in TITLES:
         errors = ladder["tiers"][kernel]["errors"]
         measured = [errors[name] for name in ("psnr-often", "present", "in-place")]
-        np.testing.assert_allclose(judged(turned(kernel), truth), measured, rtol=1e-3)
+        np.testing.assert_allclose(quality(turned(kernel), truth), measured, rtol=1e-3)
     yield "more than 100 % is present, and little of it in place"
 
 

@@ -6,7 +6,7 @@ from itertools import count
 from pathlib import Path
 from typing import Any
 
-from simulations.editing.exercise import Exercise, judged
+from simulations.editing.exercise import Exercise, findings
 from simulations.registry import load_ladder
 from site_builder.benchmarks.measuring import close
 
@@ -27,7 +27,7 @@ def test_solutions_of_exercises_have_the_errors_of_their_tiers(book: Any, built_
     assert sum(map(len, by_chapter.values())) >= 12
     ticks = count()
     for exercise in (each for some in by_chapter.values() for each in some if each.ladder):
-        found = judged(exercise, exercise.solution, "workload", load_ladder, lambda: next(ticks))
+        found = findings(exercise, exercise.solution, "workload", load_ladder, lambda: next(ticks))
         tier = next(each for each in found["tiers"] if each["tier"] == exercise.tier)
         for metric, expected in tier["errors"].items():
             yours = found["yours"]["errors"][metric]

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from simulations.editing.exercise import Exercise, first_miss, prove, trials
+from simulations.editing.exercise import Exercise, check_claims, first_miss, trials
 
 TURNED = Exercise(
     name="turned",
@@ -64,10 +64,10 @@ def test_names_in_a_failed_call_are_given_with_their_values() -> None:
 
 
 def test_solution_passes_and_a_false_assertion_about_it_fails() -> None:
-    prove(TURNED)
+    check_claims(TURNED)
     assert first_miss(TURNED, TURNED.solution) == (3, None)
     with pytest.raises(AssertionError):
-        prove(replace(TURNED, check=TURNED.check + "\nassert not turned(POINTS, 0.0).any()"))
+        check_claims(replace(TURNED, check=TURNED.check + "\nassert not turned(POINTS, 0.0).any()"))
 
 
 def test_wrong_picture_is_reported_at_its_largest_error() -> None:

@@ -16,7 +16,7 @@ from simulations.pictures.patterns import stripes
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.world import furniture, room
-from simulations.world.depth import depth_met
+from simulations.world.depth import ray_depth
 from simulations.world.surfaces import surfaces
 from simulations.world.things import view
 
@@ -97,7 +97,7 @@ def test_ray_hits_the_surface_that_the_picture_shows(focal_mm: float) -> None:
                 shown = None
         if shown is not None:
             sure += 1
-            assert depth_met(rays[row, column]) == pytest.approx(shown, rel=1e-9)
+            assert ray_depth(rays[row, column]) == pytest.approx(shown, rel=1e-9)
     assert sure > 100
 
 
@@ -137,7 +137,7 @@ def test_exposure_of_the_wheel_is_the_mean_of_its_moments(swept: float) -> None:
     row = spoked_wheel.Bars(place, duty, pixel, swept)
     times = (np.arange(2000) + 0.5) / 2000
     mean = np.mean([spoked_wheel.at_moment(row, time) for time in times], axis=0)
-    np.testing.assert_allclose(spoked_wheel.throughout(row), mean, atol=2e-5)
+    np.testing.assert_allclose(spoked_wheel.exposure_mean(row), mean, atol=2e-5)
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,13 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.sampling.aliasing import zone_plate
 from simulations.models.sampling.prefilters import prefilter
 from simulations.scenes.aliasing.drawing import alias_curve
-from simulations.scenes.aliasing.light import SHOWN, ideal, own_light, pattern_of, sample_own
+from simulations.scenes.aliasing.light import (
+    SHOWN,
+    ideal,
+    pattern_of,
+    photograph_light,
+    sample_photograph,
+)
 from simulations.scenes.aliasing.scene import FILTERS, SCENE
 
 
@@ -102,7 +108,7 @@ def test_ideal_picture_is_the_plate_inside_the_band_and_grey_beyond() -> None:
 @pytest.mark.parametrize("rate", [0.5, 1.7])
 def test_filter_leaves_an_even_picture_unchanged(kind: str, rate: float) -> None:
     grey = Photograph(1, np.full((240, 320, 3), 99, np.uint8))
-    shown = sample_own(own_light(grey), kind, rate)
+    shown = sample_photograph(photograph_light(grey), kind, rate)
     assert shown is not None
     assert (shown.raster[..., :3] == 99).all()
 

@@ -15,7 +15,7 @@ from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.depth_of_field.scene import (
     LARGEST_DRAWN_PX,
     SCENE,
-    drawn_f_number,
+    diagram_f_number,
     parameters,
 )
 from simulations.scenes.depth_of_field.stages import FAR_M, HEIGHT, NEAR_M, depth_of
@@ -34,7 +34,7 @@ def test_focus_inside_the_focal_length_has_no_image_stages_or_error() -> None:
 @pytest.mark.parametrize("focus", [0.15, 0.5, 3.2, 10])
 def test_drawn_blur_is_limited_by_stopping_down(focal: float, focus: float) -> None:
     settings = SCENE.check({"focal_length": focal, "focus": focus})
-    drawn = drawn_f_number(settings)
+    drawn = diagram_f_number(settings)
     ends_mm = [1000 * NEAR_M, 1000 * FAR_M]
     discs = thin_lens.circle_of_confusion_mm(focal, drawn, 1000 * focus, ends_mm)
     assert discs.max() / PITCH_MM <= LARGEST_DRAWN_PX + 1e-9

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from simulations.models.color.srgb import encode_srgb
-from simulations.scenes.formation_pipeline.scene import route, travelled
+from simulations.scenes.formation_pipeline.scene import legs_of, travelled
 from simulations.scenes.formation_pipeline.stations import (
     CELLS,
     WALL_ALBEDO,
@@ -69,7 +69,7 @@ def test_places_in_the_ledger_follow_from_one_another(distance: float) -> None:
 
 
 def test_marker_is_at_each_station_at_whole_numbers_and_never_jumps() -> None:
-    legs = route(4.0)
+    legs = legs_of(4.0)
     for index, leg in enumerate(legs):
         assert travelled(legs, index)[-1] == pytest.approx(leg[0])
         assert travelled(legs, index + 1)[-1] == pytest.approx(leg[-1])

@@ -11,7 +11,7 @@ from simulations.models.color.srgb import decode_srgb
 from simulations.pictures.balloon import balloon
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.scene import SCENE as ABERRATIONS
-from simulations.scenes.lens_aberrations.scene import passing
+from simulations.scenes.lens_aberrations.scene import bundle_limits
 from simulations.scenes.lens_aberrations.stages import FOCAL_PX, LINES_UM, WIDTH_UM, bands, light
 from simulations.scenes.pinhole import SCENE as PINHOLE
 from simulations.scenes.real_lens.scene import SCENE as REAL_LENS
@@ -126,7 +126,7 @@ def test_edge_of_a_band_is_blurred_by_the_spread_of_its_scales() -> None:
 @pytest.mark.parametrize("rim", [0, 3, 6, 10])
 def test_drawn_bundle_is_cut_where_the_corner_loses_light(aperture: float, rim: int) -> None:
     (share,) = light(np.array([1.0]), aperture, rim, False)[1]
-    drawn = passing(aperture, rim)
+    drawn = bundle_limits(aperture, rim)
     assert (drawn is None) == (share == 0)
     assert (drawn is not None and drawn[1] == -drawn[0]) == (share == 1)
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from simulations.engine.hard_cases import HardCases, read_table
 from simulations.engine.illustration import Illustration
-from simulations.registry import found, hard_case_tables
+from simulations.registry import hard_case_tables, modules_in
 
 ROOT = Path(__file__).resolve().parents[2]
 GERMAN_BOOK = ROOT / "tests" / "fixtures" / "german-book"
@@ -27,4 +27,6 @@ def hard_cases() -> tuple[HardCases, ...]:
 @cache
 def illustrations() -> dict[str, Callable[[], Illustration]]:
     """The functions that draw the book's illustrations, by id."""
-    return {name: import_module(module).draw for name, module in found("illustrations").items()}
+    return {
+        name: import_module(module).draw for name, module in modules_in("illustrations").items()
+    }

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simulations.engine.space.solids import Face, Wire, drawn, shaded
+from simulations.engine.space.solids import Face, Wire, draw_solids, shaded
 from simulations.engine.space.view import axes_towards, orbit, orbit_axes, runs
 
 ANGLES = st.tuples(st.floats(-180, 180), st.floats(-89, 89))
@@ -55,17 +55,17 @@ def test_orbit_keeps_parallels_and_perspective_shrinks_with_distance() -> None:
 @pytest.mark.parametrize(("azimuth", "nearer"), [(0, "ray"), (180, "image")])
 def test_nearer_of_two_faces_is_drawn_last(azimuth: float, nearer: str) -> None:
     solids = [Face(SQUARE + AHEAD, "ray"), Face(SQUARE - AHEAD, "image")]
-    markup = drawn(solids, orbit(azimuth, 0, unit=10))
+    markup = draw_solids(solids, orbit(azimuth, 0, unit=10))
     assert re.findall(r'class="(ray|image) thin', markup)[-1] == nearer
 
 
 def test_wire_is_hidden_behind_a_face() -> None:
     wire = Wire(np.linspace([-2.0, 0, 0], [2, 0, 0], 9), "ray")
-    markup = drawn([wire, Face(SQUARE, "image")], orbit(30, 10, unit=10))
+    markup = draw_solids([wire, Face(SQUARE, "image")], orbit(30, 10, unit=10))
     assert markup.index("<path") < markup.index("<polygon") < markup.rindex("<path")
     turns = np.linspace(0, 2 * math.pi, 25)
     ring = np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=-1)
-    assert drawn([Wire(ring, "ray")], orbit(30, 30, unit=50)).count("M") <= 2
+    assert draw_solids([Wire(ring, "ray")], orbit(30, 30, unit=50)).count("M") <= 2
 
 
 @pytest.mark.parametrize(("light", "washes"), [((1, 0, 0), 1), ((0, 0, 1), 3), ((-1, 0, 0), 4)])

@@ -119,13 +119,13 @@ class Plot:
 
     def upright(self, x: float, style: str = "muted thin dashed") -> str:
         """A line through the plot at a value of x; empty if that is outside."""
-        if not _holds(self.x, x):
+        if not _contains(self.x, x):
             return ""
         return line((self.x.place(x), self.y.start), (self.x.place(x), self.y.end), style)
 
     def level(self, y: float, style: str = "muted thin dashed") -> str:
         """A line through the plot at a value of y; empty if that is outside."""
-        if not _holds(self.y, y):
+        if not _contains(self.y, y):
             return ""
         return line((self.x.start, self.y.place(y)), (self.x.end, self.y.place(y)), style)
 
@@ -198,5 +198,5 @@ def _span(axis: Axis) -> Span:
     return min(axis.start, axis.end), max(axis.start, axis.end)
 
 
-def _holds(axis: Axis, value: float) -> bool:
+def _contains(axis: Axis, value: float) -> bool:
     return min(axis.low, axis.high) <= value <= max(axis.low, axis.high)

@@ -88,7 +88,7 @@ class _Piece:
     """The segment of a wire, instead of markup."""
 
 
-def drawn(solids: Sequence[Solid], view: View) -> str:
+def draw_solids(solids: Sequence[Solid], view: View) -> str:
     """SVG of the solids, without the parts that are too near to the eye."""
     pieces = [
         piece

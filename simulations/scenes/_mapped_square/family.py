@@ -54,12 +54,12 @@ def transformation(kind: str, amount: float) -> Floats:
 
 
 @lru_cache(maxsize=8)
-def way(kind: str) -> Floats:
+def matrices_of_amounts(kind: str) -> Floats:
     """The matrices (101, 3, 3) of all whole amounts."""
     return np.array([transformation(kind, float(amount)) for amount in range(101)])
 
 
-def pulled(kind: str, H: Floats, pull: Sequence[float]) -> Floats:
+def with_moved_corner(kind: str, H: Floats, pull: Sequence[float]) -> Floats:
     """The matrix (3, 3) ``H`` of a family, with the image of one corner pulled away.
 
     The matrix stays in the family, so the corner follows as far as that allows, and those of

@@ -90,7 +90,7 @@ def axes() -> str:
     )
 
 
-def shown(H: Floats, shapes: Sequence[Floats]) -> list[Floats]:
+def clipped_images(H: Floats, shapes: Sequence[Floats]) -> list[Floats]:
     """Images of a polygon and of others inside it, in the view box and clipped to it."""
     whole = image_of(H, shapes[0])
     places = to_view(whole.points)
@@ -102,12 +102,12 @@ def shown(H: Floats, shapes: Sequence[Floats]) -> list[Floats]:
 
 def figure(H: Floats, role: str) -> str:
     """The square with its grid and the card that lies on it, moved by H."""
-    outline, card, *marks = shown(H, (SQUARE, playing_card.OUTLINE, *playing_card.MARKS))
+    outline, card, *marks = clipped_images(H, (SQUARE, playing_card.OUTLINE, *playing_card.MARKS))
     grid = [in_frame(image_of(H, rule, closed=False).points, closed=False) for rule in GRID]
     return (
         (drawing.polygon(outline, f"{role} fill") if len(outline) else "")
         + drawing.path([rule for rule in grid if len(rule) > 1], f"{role} thin faint")
-        + drawing.group([playing_card.drawn(card, marks)], "" if role == "image" else "faint")
+        + drawing.group([playing_card.card_markup(card, marks)], "" if role == "image" else "faint")
         + (drawing.polygon(card, f"{role} thin") if len(card) else "")
     )
 

@@ -31,9 +31,9 @@ from simulations.scenes.aliasing.light import (
     PHOTOGRAPH_PX,
     SHOWN,
     SPECTRUM_TO,
-    Own,
     Pattern,
-    samples_shown,
+    SampledPhotograph,
+    sample_count,
 )
 
 WIDTH, HEIGHT = 400.0, 300.0
@@ -56,15 +56,15 @@ ARC_TOP = 50.0  # row of the arrow from the true to the apparent frequency
 HEAD = 7.0
 
 
-def shown_samples(pattern: Pattern) -> str:
+def sample_frame(pattern: Pattern) -> str:
     """The frame around the shown samples, over the picture."""
     unit = WIDTH / pattern.width
     # The middle of an even count of rows is between two of them: the upper one is marked.
     row = (pattern.height - 1) // 2
-    return framed(pattern.start * unit, row * unit, samples_shown(pattern.rate) * unit, unit)
+    return framed(pattern.start * unit, row * unit, sample_count(pattern.rate) * unit, unit)
 
 
-def shown_pixels(own: Own, rate: float) -> str:
+def pixel_frame(own: SampledPhotograph, rate: float) -> str:
     """The frame around the pixels of the reader's picture that are shown."""
     unit = WIDTH / own.linear.shape[1]
     return framed(FIRST * rate * unit, own.row * unit, SHOWN * rate * unit, unit)
@@ -95,7 +95,7 @@ def nyquist_ring(pattern: Pattern) -> str:
 def row_of(pattern: Pattern, kernel: Prefilter) -> str:
     """The second panel."""
     x, at = fine_places(pattern.rate), pattern.first + pattern.start
-    samples = np.arange(samples_shown(pattern.rate))
+    samples = np.arange(sample_count(pattern.rate))
     filtered = kernel.weights.size > 1
     behind = pattern.wave(kernel, at + x) if filtered else None
     alias, knob = alias_curve(pattern, kernel, at), crest(pattern)
@@ -109,7 +109,7 @@ def row_of(pattern: Pattern, kernel: Prefilter) -> str:
     )
 
 
-def row_of_own(own: Own, filtered: bool) -> str:
+def photograph_row(own: SampledPhotograph, filtered: bool) -> str:
     """The second panel for the reader's picture."""
     x = np.linspace(0, SHOWN - 1, own.curve.size)
     behind = 2 * own.filtered - 1 if filtered else None
@@ -181,7 +181,9 @@ def row_legend(filtered: bool, aliased: bool, name: str = "wave") -> str:
     return legend((ROW.x.start, 22.0), entries, room=ROW.x.end - ROW.x.start)
 
 
-def spectrum(pattern: Pattern, kernel: Prefilter, remaining: float, own: Own | None) -> str:
+def spectrum(
+    pattern: Pattern, kernel: Prefilter, remaining: float, own: SampledPhotograph | None
+) -> str:
     """The third panel; ``remaining`` is the amplitude in the samples."""
     rate, frequency = pattern.rate, pattern.frequency * pattern.rate
     x, foot = SPECTRUM.at(NYQUIST * rate, 0.0)
@@ -203,7 +205,7 @@ def spectrum(pattern: Pattern, kernel: Prefilter, remaining: float, own: Own | N
     )
 
 
-def detail(own: Own) -> str:
+def detail(own: SampledPhotograph) -> str:
     """The spectrum of the reader's picture."""
     frequencies = (np.arange(own.detail.size) * FINE / PHOTOGRAPH_PX[0]).tolist()
     shape = [SPECTRUM.at(f, a) for f, a in zip(frequencies, own.detail.tolist(), strict=True)]

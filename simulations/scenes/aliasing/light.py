@@ -103,7 +103,7 @@ def pattern_of(kind: str, frequency: float, phase_deg: float, rate: float = 1.0)
             start=start,
             rate=rate,
         )
-    middle, start = 0.5 * (columns - 1), columns - samples_shown(rate)
+    middle, start = 0.5 * (columns - 1), columns - sample_count(rate)
     return Pattern(
         kind=kind,
         frequency=per_sample,
@@ -116,7 +116,7 @@ def pattern_of(kind: str, frequency: float, phase_deg: float, rate: float = 1.0)
     )
 
 
-def samples_shown(rate: float) -> int:
+def sample_count(rate: float) -> int:
     """Count of samples in the second panel."""
     return math.floor((SHOWN - 1) * rate + 1e-9) + 1
 
@@ -141,7 +141,7 @@ def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
 
 
 @dataclass(frozen=True, slots=True)
-class OwnLight:
+class PhotographLight:
     """A reader's picture before sampling: the same at every setting."""
 
     linear: Floats
@@ -149,11 +149,11 @@ class OwnLight:
     grey: Floats
     """(H, W) luminance."""
     detail: Floats
-    """(m,) the spectrum: see `Own`."""
+    """(m,) the spectrum: see `SampledPhotograph`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Own:
+class SampledPhotograph:
     """A reader's picture, sampled, as the figure shows it."""
 
     raster: Raster
@@ -173,7 +173,7 @@ class Own:
     `SPECTRUM_TO`."""
 
 
-def own_light(photograph: Photograph | None) -> OwnLight | None:
+def photograph_light(photograph: Photograph | None) -> PhotographLight | None:
     """None if the book's pattern is shown."""
     if photograph is None:
         return None
@@ -185,10 +185,12 @@ def own_light(photograph: Photograph | None) -> OwnLight | None:
     count = math.floor(SPECTRUM_TO * width / FINE) + 1
     spectrum = np.sqrt(np.mean(np.abs(np.fft.rfft(faded, axis=1)[:, :count]) ** 2, axis=0))
     detail = spectrum * np.arange(count)  # the detail per octave
-    return OwnLight(linear, grey, detail / max(float(detail.max()), 1e-9))
+    return PhotographLight(linear, grey, detail / max(float(detail.max()), 1e-9))
 
 
-def sample_own(own: OwnLight | None, prefilter: str, rate: float) -> Own | None:
+def sample_photograph(
+    own: PhotographLight | None, prefilter: str, rate: float
+) -> SampledPhotograph | None:
     """Filter the picture and sample it; None if the book's pattern is shown."""
     if own is None:
         return None
@@ -205,7 +207,7 @@ def sample_own(own: OwnLight | None, prefilter: str, rate: float) -> Own | None:
     behind = along_y[[row]] @ grey
     columns = (across + 0.5) / FINE - 0.5 - FIRST
     inside = (columns >= 0) & (columns <= SHOWN - 1)
-    return Own(
+    return SampledPhotograph(
         raster=to_rgba8(encode_srgb(np.clip(linear, 0.0, 1.0))),
         linear=linear,
         row=row,
@@ -265,7 +267,7 @@ def along_both(light: Floats, along_y: Floats, along_x: Floats) -> Floats:
     return (along_x @ columns).reshape(len(along_x), -1, colours).swapaxes(0, 1)
 
 
-def ideal_own(photograph: Photograph, rate: float) -> Floats:
+def ideal_photograph(photograph: Photograph, rate: float) -> Floats:
     """(h, w, 3) light of the picture after the ideal low-pass."""
     light = light_of(photograph)
     return along_both(light, *(ideal_weights(length, rate) for length in light.shape[:2]))

@@ -35,8 +35,8 @@ from simulations.models.error_measures import root_mean_square
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.scenes.aliasing import drawing, light
-from simulations.scenes.aliasing.light import NYQUIST, Own, Pattern, pattern_of
-from simulations.scenes.aliasing.shirt import worn
+from simulations.scenes.aliasing.light import NYQUIST, Pattern, SampledPhotograph, pattern_of
+from simulations.scenes.aliasing.shirt import shirt_light
 
 PATTERNS = {"stripes": "Striped shirt", "zone_plate": "Zone plate"}
 FILTERS = {
@@ -67,30 +67,35 @@ def pattern_at(settings: Settings) -> Pattern:
 
 
 def picture(
-    own: Own | None, pattern: str, frequency: float, phase: float, prefilter: str, rate: float
+    own: SampledPhotograph | None,
+    pattern: str,
+    frequency: float,
+    phase: float,
+    prefilter: str,
+    rate: float,
 ) -> Raster:
     """The sampled picture."""
     if own:
         return own.raster
     sampled, kernel = pattern_of(pattern, frequency, phase, rate), prefilters.prefilter(prefilter)
-    shown = worn(sampled, kernel) if pattern == "stripes" else sampled.picture(kernel)
+    shown = shirt_light(sampled, kernel) if pattern == "stripes" else sampled.picture(kernel)
     return to_rgba8(encode_srgb(np.clip(shown, 0.0, 1.0)))
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    own: Own | None = outputs["own picture"]
+    own: SampledPhotograph | None = outputs["own picture"]
     pattern, kernel = pattern_at(settings), prefilters.prefilter(settings.prefilter)
     left = float(prefilters.transfer(kernel, pattern.frequency))
     passed = abs(left)
     if own:
-        remaining, words = passed, describe_own(settings, pattern, passed)
-        over = drawing.shown_pixels(own, pattern.rate)
-        row = drawing.row_of_own(own, kernel.weights.size > 1)
+        remaining, words = passed, describe_photograph(settings, pattern, passed)
+        over = drawing.pixel_frame(own, pattern.rate)
+        row = drawing.photograph_row(own, kernel.weights.size > 1)
     else:
         remaining = amplitude_in_samples(pattern, left)
         words = describe(settings, pattern, passed, remaining)
         ring = drawing.nyquist_ring(pattern) if pattern.kind == "zone_plate" else ""
-        over, row = ring + drawing.shown_samples(pattern), drawing.row_of(pattern, kernel)
+        over, row = ring + drawing.sample_frame(pattern), drawing.row_of(pattern, kernel)
     title = f"The framed pixels: the {'light' if own else 'wave'} and its samples"
     fold, raster = drawing.spectrum(pattern, kernel, remaining, own), outputs["picture"]
     alias, nyquist = pattern.alias * pattern.rate, NYQUIST * pattern.rate
@@ -173,7 +178,7 @@ def describe(settings: Settings, pattern: Pattern, passed: float, remaining: flo
     )
 
 
-def describe_own(settings: Settings, pattern: Pattern, passed: float) -> str:
+def describe_photograph(settings: Settings, pattern: Pattern, passed: float) -> str:
     """The description for a reader's picture."""
     nyquist, alias = NYQUIST * pattern.rate, pattern.alias * pattern.rate
     sampled = (
@@ -194,9 +199,9 @@ def rate_in_words(settings: Settings) -> str:
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """RMS difference from the ideal picture, in one step."""
-    own: Own | None = outputs["own picture"]
+    own: SampledPhotograph | None = outputs["own picture"]
     if own:
-        off = own.linear - light.ideal_own(outputs["photograph"], settings.rate)
+        off = own.linear - light.ideal_photograph(outputs["photograph"], settings.rate)
     else:
         pattern = pattern_at(settings)
         truth, certain = light.ideal(pattern)
@@ -284,8 +289,8 @@ SCENE = Scene(
     Settings,
     draw,
     (
-        Stage("own light", light.own_light),
-        Stage("own picture", light.sample_own, ("own light",)),
+        Stage("own light", light.photograph_light),
+        Stage("own picture", light.sample_photograph, ("own light",)),
         Stage("picture", picture, ("own picture",)),
     ),
     HANDLES,

@@ -40,7 +40,7 @@ class Cloth:
     """(h, w, 3) linear RGB of all else."""
 
 
-def worn(pattern: Pattern, kernel: Prefilter) -> Floats:
+def shirt_light(pattern: Pattern, kernel: Prefilter) -> Floats:
     """(h, w, 3) linear RGB of the shirt, filtered and sampled."""
     cloth = cloth_at(pattern.rate)
     passed = 1.0
@@ -83,12 +83,12 @@ def cloth_at(rate: float) -> Cloth:
     collar = np.maximum(wing, np.abs(y - 34.0 + 0.25 * side) - 12.0)
     neck = np.maximum(side - 13.0 + 0.55 * np.maximum(y - 26.0, 0.0), y - 52.0)
     wall = WALL * (1.15 - 0.5 * (x / SIZE_PX[0]) - 0.2 * (y / SIZE_PX[1]))[..., None]
-    shirt = covered(np.minimum(body, arm), rate)
-    flesh = covered(neck, rate)
+    shirt = coverage(np.minimum(body, arm), rate)
+    flesh = coverage(neck, rate)
     skin = SKIN * (1.0 - 0.45 * (right / 13.0).clip(-1, 1) ** 2 - 0.2 * (right > 6))[..., None]
     pale = PALE * (0.98 - 0.012 * side - 0.12 * (right > 0))[..., None]
     behind = wall + flesh[..., None] * (skin - wall)
-    points = covered(collar, rate)
+    points = coverage(collar, rate)
     behind = behind + points[..., None] * (pale - behind)
     cover = shirt * (1.0 - np.maximum(flesh, points))
     return Cloth(along + MIDDLE - FRAMED_AT, (down, across), shade, cover, behind)
@@ -101,7 +101,7 @@ def segment(x: Floats, y: Floats, start: tuple[float, float], end: tuple[float, 
     return np.hypot(x - start[0] - share * dx, y - start[1] - share * dy)
 
 
-def covered(outside: Floats, rate: float) -> Floats:
+def coverage(outside: Floats, rate: float) -> Floats:
     """Share of each sample inside, given its distance from a border, negative inside."""
     return np.clip(0.5 - outside * rate, 0.0, 1.0)
 

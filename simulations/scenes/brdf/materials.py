@@ -48,7 +48,7 @@ class Sphere:
 
 
 @dataclass(frozen=True, slots=True)
-class Lit:
+class LitSphere:
     """The light that a sphere sends to the camera; 1 is a perfect white that faces the lamp."""
 
     pixels: NDArray[np.intp]
@@ -74,9 +74,9 @@ def sphere(radius_px: float) -> Sphere:
 BALL, SAMPLE = sphere(RADIUS * FINE), sphere(SMALL * FINE)
 
 
-def lit(
+def lit_sphere(
     of: Sphere, model: str, specular: float, roughness: float, light_angle: float, view_angle: float
-) -> Lit:
+) -> LitSphere:
     """The sphere in the light of the lamp; the camera is in front."""
     to_light = light_direction(light_angle - view_angle).astype(np.float32)
     shade = (of.normals @ to_light).ravel()
@@ -85,7 +85,7 @@ def lit(
     material = Material(1.0, specular, roughness)
     matte, mirrored = parts(model, material, arriving, facing, to_light[2])
     arriving *= np.float32(np.pi)
-    return Lit(pixels, (matte * arriving)[:, None], (mirrored * arriving)[:, None])
+    return LitSphere(pixels, (matte * arriving)[:, None], (mirrored * arriving)[:, None])
 
 
 def samples() -> Iterator[tuple[float, float]]:
@@ -95,15 +95,15 @@ def samples() -> Iterator[tuple[float, float]]:
             yield SMOOTHEST + share * (ROUGHEST - SMOOTHEST), specular
 
 
-def lit_samples(model: str, light_angle: float, view_angle: float) -> tuple[Lit, ...]:
+def lit_samples(model: str, light_angle: float, view_angle: float) -> tuple[LitSphere, ...]:
     """The spheres of the chart, in the order of `samples`."""
     return tuple(
-        lit(SAMPLE, model, specular, roughness, light_angle, view_angle)
+        lit_sphere(SAMPLE, model, specular, roughness, light_angle, view_angle)
         for roughness, specular in samples()
     )
 
 
-def chart(samples_lit: tuple[Lit, ...], albedo: float) -> Raster:
+def chart(samples_lit: tuple[LitSphere, ...], albedo: float) -> Raster:
     """(H, W, 4) bytes of the panel without its ball."""
     wall = to_rgba8(encode_srgb(WALL[None, None]))
     picture = np.tile(wall, (round(HEIGHT * FINE), round(WIDTH * FINE), 1))
@@ -112,14 +112,14 @@ def chart(samples_lit: tuple[Lit, ...], albedo: float) -> Raster:
     return picture
 
 
-def with_ball(chart: Raster, light: Lit, albedo: float) -> Raster:
+def with_ball(chart: Raster, light: LitSphere, albedo: float) -> Raster:
     """(H, W, 4) bytes of the whole panel."""
     picture = chart.copy()
     paste(picture, BALL, light, albedo, CENTRE)
     return picture
 
 
-def paste(picture: Raster, of: Sphere, light: Lit, albedo: float, middle: Point) -> None:
+def paste(picture: Raster, of: Sphere, light: LitSphere, albedo: float, middle: Point) -> None:
     """Put the square of a sphere, with the wall around it, into the picture."""
     linear = light.mirrored + light.matte * (np.float32(albedo) * TINT)
     mixed = WALL + of.cover[light.pixels] * (linear - WALL)
@@ -149,7 +149,7 @@ def material_at(_settings: object, place: Point) -> Mapping[str, float]:
     }
 
 
-def looks_like(roughness: float, specular: float) -> str:
+def material_name(roughness: float, specular: float) -> str:
     smooth, rough = next(names for most, *names in NAMES if specular <= most)
     return rough if roughness > ROUGH else smooth
 
@@ -157,7 +157,7 @@ def looks_like(roughness: float, specular: float) -> str:
 def marks(view_angle: float, roughness: float, specular: float) -> str:
     """The probed point, the chosen material, and the ends of the chart."""
     probed = on_equator(-view_angle)
-    name = f"like {looks_like(roughness, specular)}"
+    name = f"like {material_name(roughness, specular)}"
     across, below = 0.5 * (LEFT + RIGHT), BOTTOM + SMALL + 24
     return "".join(
         (

@@ -24,7 +24,7 @@ from simulations.models.arrays import Floats
 from simulations.models.light.brdf import Material, reflected, schlick, sent_back
 from simulations.scenes._ball import HEIGHT, WIDTH, lamp, outlined_dot
 from simulations.scenes.brdf import materials
-from simulations.scenes.brdf.materials import BALL, ROUGHEST, SMOOTHEST, Lit, lit
+from simulations.scenes.brdf.materials import BALL, ROUGHEST, SMOOTHEST, LitSphere, lit_sphere
 
 LARGEST_DEG = 88  # directions nearer to the horizon have almost no light
 MODELS = {
@@ -100,8 +100,8 @@ def reflected_share(material: Material, model: str) -> Floats:
 
 def ball_light(
     model: str, specular: float, roughness: float, light_angle: float, view_angle: float
-) -> Lit:
-    return lit(BALL, model, specular, roughness, light_angle, view_angle)
+) -> LitSphere:
+    return lit_sphere(BALL, model, specular, roughness, light_angle, view_angle)
 
 
 STAGES = (
@@ -225,7 +225,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def describe(settings: Settings, here: Exchange, seen: float) -> str:
-    look = materials.looks_like(settings.roughness, settings.specular)
+    look = materials.material_name(settings.roughness, settings.specular)
     name = MODELS[settings.model].replace(" (Lambert)", "").lower().replace("phong", "Phong")
     sides = "the same side" if settings.light_angle * settings.view_angle > 0 else "the other side"
     share = format_number(100 * here.sent, 0)

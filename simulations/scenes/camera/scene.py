@@ -35,7 +35,7 @@ from simulations.scenes.camera.stages import (
     rms_codes,
     shutter_s,
 )
-from simulations.world.depth import depth_met
+from simulations.world.depth import ray_depth
 from simulations.world.things import THINGS, WALL_DISTANCE, Thing
 
 SIZE = WIDTH, HEIGHT = 400.0, 267.0  # of both panels: the 3 : 2 of the sensor
@@ -209,7 +209,7 @@ def middle(_settings: Settings, _outputs: Outputs) -> Point:
     return (WIDTH / 2, HEIGHT / 2)
 
 
-def aimed(settings: Settings, place: Point) -> dict[str, float]:
+def focus_on(settings: Settings, place: Point) -> dict[str, float]:
     """Focus on what the lens images at a place of the photograph, if any ray arrives there."""
     now = after_step(settings)
     principal = principal_mm(now.focal_length, now.focus)
@@ -218,7 +218,7 @@ def aimed(settings: Settings, place: Point) -> dict[str, float]:
     ideal, reached = undistort_clamped([(across, down)], Distortion(k1=settings.k1))
     if not reached.all():
         return {}
-    return {"focus": depth_met((*ideal[0], 1.0), settings.back) - settings.back}
+    return {"focus": ray_depth((*ideal[0], 1.0), settings.back) - settings.back}
 
 
 SCENE = Scene(
@@ -234,7 +234,7 @@ SCENE = Scene(
             "Object to focus on",
             drives=("focus",),
             at=middle,
-            pull=aimed,
+            pull=focus_on,
             reach="aim",
         ),
         Handle("focus", "plan", "Distance in focus", drives=("focus",), at=focus_at, role="ray"),

@@ -192,7 +192,7 @@ def expose(irradiance: Planes, exposure: float) -> Planes:
     return irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
 
 
-def count(mean_e: Planes, grain: Grain) -> Planes:
+def count_electrons(mean_e: Planes, grain: Grain) -> Planes:
     """Electrons counted: quantiles of the Poisson distribution at the grain's probabilities. Unlike
     with a Poisson sampler, the grain stays the same as the light changes."""
     counted = photon_counting.shot_noise_from_normal(mean_e, grain.shot, FULL_WELL_E)
@@ -255,7 +255,7 @@ STAGES = (
     Stage("vignetting", vignette, ("trimming",)),
     Stage("exposure", expose, ("vignetting",)),
     Stage("grain", draw_grain),
-    Stage("shot noise", count, ("exposure", "grain"), neutral=no_shot_noise),
+    Stage("shot noise", count_electrons, ("exposure", "grain"), neutral=no_shot_noise),
     Stage("read noise", read, ("shot noise", "grain"), neutral=no_read_noise),
     Stage("quantisation", quantise, ("read noise",)),
     Stage("sRGB", encode, ("quantisation",)),

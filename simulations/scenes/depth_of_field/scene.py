@@ -33,7 +33,7 @@ from simulations.scenes._still_life_camera import (
 )
 from simulations.scenes.depth_of_field import drawing, stages
 from simulations.scenes.depth_of_field.stages import HEIGHT, WIDTH
-from simulations.world.depth import depth_met
+from simulations.world.depth import ray_depth
 
 LARGEST_DRAWN_PX = 48.0  # largest disc that is drawn: wider ones blur everything and take seconds
 UNLIT = np.full((round(ROWS / stages.FINE), round(COLUMNS / stages.FINE)), 0.35)
@@ -53,7 +53,7 @@ class Settings:
         return 1000 * self.focus > self.focal_length
 
 
-def drawn_f_number(settings: Settings) -> float:
+def diagram_f_number(settings: Settings) -> float:
     """The aperture, or stopped down until no disc in the picture is over `LARGEST_DRAWN_PX`.
 
     The widths of all discs are proportional to the aperture, so the focus and the sizes of things
@@ -67,7 +67,7 @@ def parameters(settings: Settings, level: str) -> dict[str, Value] | None:
     """The parameters of the stages, fixed or computed; None if there is no picture."""
     if not settings.has_image:
         return None
-    f_number = drawn_f_number(settings)
+    f_number = diagram_f_number(settings)
     return {
         **stages.FIXED,
         **drawing_of(level == SCALED, settings.focal_length, settings.focus),
@@ -84,7 +84,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         note = text((WIDTH / 2, HEIGHT / 2), "no real image", "strong ground", "middle")
         panels = side_by_side(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
         return Frame(panels, readouts(None, hyperfocal_m), describe_refusal(settings))
-    sharp, drawn, marks = stages.sharpness(focal, f_number, focus), drawn_f_number(settings), ""
+    sharp, drawn, marks = stages.sharpness(focal, f_number, focus), diagram_f_number(settings), ""
     if drawn > f_number:
         capped = f"drawn at f/{drawn:.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
         marks = text((WIDTH / 2, HEIGHT - 12), capped, "ground", "middle")
@@ -159,7 +159,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     if not settings.has_image:
         yield Readout("error", "Error", "no picture", "", role="error")
         return
-    setting = (settings.focal_length, drawn_f_number(settings), settings.focus)
+    setting = (settings.focal_length, diagram_f_number(settings), settings.focus)
     yield from stages.estimates(outputs["encoded"], outputs["pinhole rays"], *setting)
 
 
@@ -176,14 +176,14 @@ def rim_mark(settings: Settings, _outputs: Outputs) -> Point | None:
     return (drawing.LENS_X, drawing.AXIS_Y - half) if settings.has_image else None
 
 
-def aimed(settings: Settings, place: Point) -> dict[str, Value]:
+def focus_on(settings: Settings, place: Point) -> dict[str, Value]:
     """Focus on the thing at a place of the picture; not available without an image."""
     if not settings.has_image:
         return {}
     across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM
     down = (place[1] / HEIGHT - 0.5) * SENSOR_HEIGHT_MM
     principal = principal_mm(settings.focal_length, settings.focus)
-    return {"focus": depth_met((across / principal, down / principal, 1.0))}
+    return {"focus": ray_depth((across / principal, down / principal, 1.0))}
 
 
 def middle(_settings: Settings, _outputs: Outputs) -> tuple[float, float]:
@@ -197,7 +197,7 @@ def focus_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
 APERTURE, FOCUS = ("aperture",), ("focus",)
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
-        "aim", "picture", "Object to focus on", drives=FOCUS, at=middle, pull=aimed, reach="aim"
+        "aim", "picture", "Object to focus on", drives=FOCUS, at=middle, pull=focus_on, reach="aim"
     ),
     Handle("floor", "picture", "Plane of focus", drives=FOCUS, at=floor_mark, role="ray"),
     Handle(

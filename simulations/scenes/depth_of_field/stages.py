@@ -134,7 +134,7 @@ def depth_of(lit: LitScene) -> Floats:
     return depth
 
 
-def overlay_shown(lit: LitScene, enlarged: float, reduction: float) -> Planes:
+def enlarged_overlay(lit: LitScene, enlarged: float, reduction: float) -> Planes:
     return enlarge(overlay(lit, enlarged), reduction)
 
 
@@ -165,7 +165,7 @@ def encode(light: Planes) -> Raster:
     return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
 
 
-def shown(light: Planes, repeated: int) -> Raster:
+def repeated_raster(light: Planes, repeated: int) -> Raster:
     """Canvas bytes, each repeated so many times each way: all tiers show pictures of one size."""
     raster = encode(light)
     return np.ascontiguousarray(raster.repeat(repeated, axis=0).repeat(repeated, axis=1))
@@ -190,29 +190,31 @@ def focus_line(lit: LitScene, focal_length: float, focus: float, enlarged: float
     return "" if row is None else line_on_floor(lit, row, WIDTH, HEIGHT, enlarged)
 
 
-def unless(tiers: Container[str], otherwise: str, tier: str) -> str:
+def neutral_outside(tiers: Container[str], otherwise: str, tier: str) -> str:
     """Why a stage of ``tiers`` would change nothing."""
     return "" if tier in tiers else otherwise
 
 
-def unless_sharp(tiers: Container[str], otherwise: str, largest_blur: float, tier: str) -> str:
+def neutral_without_blur(
+    tiers: Container[str], otherwise: str, largest_blur: float, tier: str
+) -> str:
     """Why a blur of ``tiers`` would change nothing. Rays through the lens are sent at any blur."""
-    return in_focus(largest_blur) or unless(tiers, otherwise, tier)
+    return in_focus(largest_blur) or neutral_outside(tiers, otherwise, tier)
 
 
-NO_LAYER = partial(unless_sharp, ("layered",), "no layer is blurred by itself")
-NO_FILTER = partial(unless_sharp, FILTERS, "the finished picture is not filtered")
-ONE_RAY = partial(unless, SPIRALS, "every pixel has one ray")
+NO_LAYER = partial(neutral_without_blur, ("layered",), "no layer is blurred by itself")
+NO_FILTER = partial(neutral_without_blur, FILTERS, "the finished picture is not filtered")
+ONE_RAY = partial(neutral_outside, SPIRALS, "every pixel has one ray")
 LENS_RAYS = "rays through the lens"
 STAGES = (
     Stage("pinhole rays", pinhole_rays),
     Stage("surfaces", find_surfaces, ("pinhole rays",)),
     Stage("light", light_surfaces, ("surfaces",)),
     Stage("defocus", defocus, ("light",), neutral=NO_LAYER),
-    Stage("overlay", overlay_shown, ("defocus",)),
+    Stage("overlay", enlarged_overlay, ("defocus",)),
     Stage("filter", filtered, ("overlay", "light"), neutral=NO_FILTER),
     Stage(LENS_RAYS, rays_through_lens, ("pinhole rays",), neutral=ONE_RAY, passes_on="filter"),
-    Stage("encoded", shown, (LENS_RAYS,)),
+    Stage("encoded", repeated_raster, (LENS_RAYS,)),
     Stage("plane of focus", focus_line, ("light",)),
 )
 

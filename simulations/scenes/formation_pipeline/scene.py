@@ -100,7 +100,7 @@ def picture() -> Raster:
     return raster
 
 
-def seen(*places: Floats) -> list[Point]:
+def places_in_view_box(*places: Floats) -> list[Point]:
     """Places (3,) of the room in the view box."""
     camera = world_to_camera(np.array(places), ROOM_POSE)
     pixels, _ = project(camera, intrinsics(ROOM_FOCAL, ROOM_CENTRE))
@@ -112,11 +112,13 @@ def lens_of(distance_m: float) -> Floats:
     return np.array([ORIGIN[0], WALL_DISTANCE - distance_m, ORIGIN[2]])
 
 
-def route(distance_m: float) -> Legs:
+def legs_of(distance_m: float) -> Legs:
     """The legs between stations 0 to 7, each a polyline."""
     lens = lens_of(distance_m)
     image = lens + (lens - SPECK) * LENS_TO_PLANE / distance_m
-    start, first, middle, hit = seen(SPECK, SPECK + FIRST_LEG * (lens - SPECK), lens, image)
+    start, first, middle, hit = places_in_view_box(
+        SPECK, SPECK + FIRST_LEG * (lens - SPECK), lens, image
+    )
     return (
         (start, first),
         (first, middle),
@@ -146,9 +148,9 @@ def travelled(legs: Legs, station: float) -> list[Point]:
     return path
 
 
-def draw_way(journey: Journey, distance_m: float, station: float) -> str:
+def draw_path(journey: Journey, distance_m: float, station: float) -> str:
     """The first panel."""
-    legs = route(distance_m)
+    legs = legs_of(distance_m)
     path = travelled(legs, station)
     return "".join(
         (
@@ -156,7 +158,7 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
             *scenery(),
             *camera(lens_of(distance_m)),
             drawing.path(legs, "muted thin dashed"),
-            *onward(),
+            *arrows_between_tiles(),
             drawing.polyline(path, "ray bold") if len(path) > 1 else "",
             *tiles(journey, int(station)),
             drawing.dot(legs[2][-1], "image", 3.0),
@@ -165,7 +167,7 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
     )
 
 
-def onward() -> Iterator[str]:
+def arrows_between_tiles() -> Iterator[str]:
     """Heads of arrows in the gaps between the tiles."""
     for start, end in pairwise((CELL, LIGHT, WELL, CODE)):
         middle, row = (start[0] + end[0]) / 2, start[1]
@@ -174,7 +176,7 @@ def onward() -> Iterator[str]:
 
 def axes_at(origin: Floats, length_m: float, role: str) -> Iterator[str]:
     """Arrows ahead and down."""
-    start, *tips = seen(origin, origin + length_m * AHEAD, origin + length_m * DOWN)
+    start, *tips = places_in_view_box(origin, origin + length_m * AHEAD, origin + length_m * DOWN)
     for tip in tips:
         yield drawing.arrow(start, tip, role, 6)
 
@@ -184,19 +186,21 @@ def paint(journey: Journey) -> str:
     turns = np.linspace(0.0, 2 * math.pi, 20, endpoint=False)
     rim = [SPECK + 0.1 * np.array([math.cos(a), 0.0, math.sin(a)]) for a in turns]
     light = float(encode_srgb(journey.relative_light))
-    return swatch_polygon(seen(*rim), [light] * 3) + drawing.polygon(seen(*rim), "world thin")
+    return swatch_polygon(places_in_view_box(*rim), [light] * 3) + drawing.polygon(
+        places_in_view_box(*rim), "world thin"
+    )
 
 
 def scenery() -> Iterator[str]:
     """The lamp's direction, and the world's axes: ahead and down."""
     level = math.cos(LAMP_ELEVATION_RAD)
     towards = np.array(lamp_direction(math.degrees(math.acos(LAMP_COS / level))))
-    lamp, tip = seen(SPECK + 1.5 * towards, SPECK + 0.25 * towards)
+    lamp, tip = places_in_view_box(SPECK + 1.5 * towards, SPECK + 0.25 * towards)
     yield drawing.arrow(lamp, tip, "light bold")
     yield drawing.circle(lamp, 6, "light solid")
     yield drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small ground", "end")
     yield from axes_at(ORIGIN, 0.6, "world")
-    (place,) = seen(ORIGIN + 0.75 * DOWN)
+    (place,) = places_in_view_box(ORIGIN + 0.75 * DOWN)
     yield drawing.text((place[0], place[1] + 10), "world", "world small ground", "middle")
 
 
@@ -206,10 +210,12 @@ def camera(lens: Floats) -> Iterator[str]:
     rim = [lens + LENS_RADIUS_M * np.array([math.cos(a), 0.0, math.sin(a)]) for a in turns]
     corners = [(-0.42, -0.32), (0.42, -0.32), (0.42, 0.32), (-0.42, 0.32)]
     sheet = [lens + np.array([u, -LENS_TO_PLANE, v]) for u, v in corners]
-    yield drawing.polygon(seen(*sheet), "image fill")
-    yield drawing.polygon(seen(*rim), "camera fill")
+    yield drawing.polygon(places_in_view_box(*sheet), "image fill")
+    yield drawing.polygon(places_in_view_box(*rim), "camera fill")
     yield from axes_at(lens, 0.6, "camera")
-    (top, plane) = seen(lens - 0.42 * DOWN, lens - LENS_TO_PLANE * AHEAD - 0.44 * DOWN)
+    (top, plane) = places_in_view_box(
+        lens - 0.42 * DOWN, lens - LENS_TO_PLANE * AHEAD - 0.44 * DOWN
+    )
     yield drawing.text((top[0] + 4, top[1] - 4), "lens", "camera small ground")
     yield drawing.text(
         (max(plane[0] - 4, 82.0), plane[1] - 4), "image plane", "image small ground", "end"
@@ -295,7 +301,7 @@ def draw_ledger(entries: Sequence[Station], station: float) -> str:
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     journey: Journey = outputs["journey"]
     entries, station = stations(journey), settings.station
-    way = draw_way(journey, settings.distance, station)
+    way = draw_path(journey, settings.distance, station)
     ledger, title = draw_ledger(entries, station), "What is known after each step"
     electrons, code, entry = journey.counted_e, journey.code, entries[int(station)]
     return Frame(
@@ -320,11 +326,11 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def marker(settings: Settings, _outputs: Outputs) -> Point:
-    return travelled(route(settings.distance), settings.station)[-1]
+    return travelled(legs_of(settings.distance), settings.station)[-1]
 
 
 def lens_foot(settings: Settings, _outputs: Outputs) -> Point:
-    return seen(lens_of(settings.distance) + LENS_RADIUS_M * DOWN)[0]
+    return places_in_view_box(lens_of(settings.distance) + LENS_RADIUS_M * DOWN)[0]
 
 
 def ledger_line(settings: Settings, _outputs: Outputs) -> Point:

@@ -73,7 +73,7 @@ def rim_mark(settings: Settings, _outputs: Outputs) -> Point:
     return at(-settings.stop - settings.rim, -TUBE_MM)
 
 
-def passing(f_number: float, rim: float) -> tuple[float, float] | None:
+def bundle_limits(f_number: float, rim: float) -> tuple[float, float] | None:
     """Heights in the stop between which the bundle passes the rim; None if nothing passes."""
     opening = opening_mm(f_number)
     highest = min(opening, stages.RIM_MM - rim)
@@ -84,19 +84,19 @@ def section(settings: Settings) -> str:
     """The rim, the stop, the lens and the sensor, and the path of the bundle."""
     stop, opening = settings.stop, opening_mm(settings.aperture)
     dispersive = settings.glass != "ideal"
-    open_heights = passing(settings.aperture, settings.rim)
+    open_heights = bundle_limits(settings.aperture, settings.rim)
     parts = [line((6, AXIS_Y), (WIDTH - 6, AXIS_Y), "muted thin dashed")]
     if open_heights:
         low, high = open_heights
         parts += bundle(low, high, stop)
         heights = [low, high] + [0.0] * (low < 0.0 < high)
-        for style, shift in drawn_colours(settings.glass) if dispersive else (("light", 0.0),):
+        for style, shift in colour_shifts(settings.glass) if dispersive else (("light", 0.0),):
             parts.append(path([refracted(height, stop, shift) for height in heights], style))
     if open_heights is None or open_heights[1] < opening:  # the outermost ray ends on the rim
         along = -stop - settings.rim
         end = at(along, height_at(opening, stop, along))
         parts += [line(start(opening, stop), end, "error thin dashed"), dot(end, "error", 3)]
-    parts += [*lens_and_sensor(), *rim_drawn(settings), *stop_drawn(settings)]
+    parts += [*lens_and_sensor(), *rim_edges(settings), *stop_blades(settings)]
     if dispersive:
         parts.append(text((8, AXIS_Y + 156), f"dispersion × {SPREAD:.0f}", "muted small ground"))
     if stop < 0:
@@ -104,7 +104,7 @@ def section(settings: Settings) -> str:
     return "".join(parts)
 
 
-def drawn_colours(glass: str) -> tuple[tuple[str, float], ...]:
+def colour_shifts(glass: str) -> tuple[tuple[str, float], ...]:
     """Style of red and blue, and the drawn shift of the image per height in the lens."""
     focal = focal_length_mm(stages.GLASSES[glass], stages.FOCAL_MM, np.array(stages.LINES_UM))
     shifts = SPREAD * (1.0 - stages.FOCAL_MM / focal)
@@ -150,7 +150,7 @@ def lens_and_sensor() -> Iterator[str]:
     yield text((beside, AXIS_Y + 124), "corner", "image")
 
 
-def stop_drawn(settings: Settings) -> Iterator[str]:
+def stop_blades(settings: Settings) -> Iterator[str]:
     stop, opening = settings.stop, opening_mm(settings.aperture)
     for side in (-1, 1):
         ends = at(-stop, side * opening), at(-stop, side * BLADE_MM)
@@ -164,7 +164,7 @@ def stop_drawn(settings: Settings) -> Iterator[str]:
     yield text((x - side * 14.0, y + 10.0), "opening", "ground", anchor)
 
 
-def rim_drawn(settings: Settings) -> Iterator[str]:
+def rim_edges(settings: Settings) -> Iterator[str]:
     along = -settings.stop - settings.rim
     style = "camera bold" if along <= 0 else "camera bold dashed"
     for side in (-1, 1):

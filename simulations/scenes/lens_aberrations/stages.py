@@ -56,7 +56,7 @@ SUBDIVISIONS = 5  # reference wavelengths per standard deviation
 FIRST_ROUND = 9  # least count of reference wavelengths: with fewer a channel would have no light
 
 
-def own_wavelengths(count: int) -> tuple[Band, ...]:
+def channel_wavelengths(count: int) -> tuple[Band, ...]:
     """Wavelengths of its own for each channel."""
     return tuple(chosen_wavelengths(line, WIDTH_UM, count) for line in LINES_UM)
 
@@ -68,10 +68,10 @@ def shared_wavelengths(count: int) -> tuple[Band, ...]:
 
 
 BANDS: Mapping[str, tuple[Band, ...]] = {
-    "gauss-1": own_wavelengths(1),
-    "gauss-3": own_wavelengths(3),
+    "gauss-1": channel_wavelengths(1),
+    "gauss-3": channel_wavelengths(3),
     "even-9": shared_wavelengths(9),
-    "gauss-5": own_wavelengths(5),
+    "gauss-5": channel_wavelengths(5),
     "even-16": shared_wavelengths(16),
     "even-31": shared_wavelengths(31),
 }

@@ -72,7 +72,7 @@ def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float
     return tuple(to_view(distort(np.asarray(point), lens)).tolist())
 
 
-def held(ideal: tuple[float, float], lens: Distortion) -> tuple[float, float]:
+def handle_place(ideal: tuple[float, float], lens: Distortion) -> tuple[float, float]:
     """The place of the handle of a point of the photograph: its image, within the border."""
     x, y = (seen - middle for seen, middle in zip(image_of(ideal, lens), CENTRE, strict=True))
     beyond = max(abs(x) / (CENTRE[0] - BORDER), abs(y) / (CENTRE[1] - BORDER), 1.0)
@@ -125,7 +125,7 @@ def _grown(mask: Mask) -> Mask:
 def _moved(ideal: tuple[float, float], name: str, lens: Distortion) -> str:
     """The shift of a marked point from its pinhole image, as far as the border; its name
     on its left and off its radius."""
-    ends = to_view(ideal), held(ideal, lens)
+    ends = to_view(ideal), handle_place(ideal, lens)
     x, y = ends[1]
     row = min(max(y + (14.0 if ideal[1] > 0.0 else -5.0), 16.0), VIEW_HEIGHT - 8.0)
     label = text((x - 14.0, row), name, "image small strong ground", "end")

@@ -32,7 +32,7 @@ from simulations.scenes.lens_distortion.drawing import (
     VIEW_HEIGHT,
     VIEW_WIDTH,
     grid_lines,
-    held,
+    handle_place,
     image_of,
 )
 from simulations.scenes.lens_distortion.stages import (
@@ -141,14 +141,16 @@ def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Reado
     )
 
 
-def marked(name: str, label: str, ideal: tuple[float, float], drives: str) -> Handle[Settings]:
+def point_handle(
+    name: str, label: str, ideal: tuple[float, float], drives: str
+) -> Handle[Settings]:
     """A handle in the photograph, within its border where the point is farther out; none past the
     fold and in a corrected photograph."""
 
     def at(settings: Settings, _outputs: Outputs) -> Point | None:
         lens = lens_of(settings)
         hidden = settings.correct or math.hypot(*ideal) >= fold_radius(lens)
-        return None if hidden else held(ideal, lens)
+        return None if hidden else handle_place(ideal, lens)
 
     def pull(settings: Settings, place: Point) -> Mapping[str, Value]:
         """The coefficient that images the point nearest to the place; at the border a search would
@@ -184,8 +186,8 @@ SCENE = Scene(
     draw,
     STAGES,
     handles=(
-        marked("point", "Inner point", INNER, "k1"),
-        marked("outer", "Outer point", OUTER, "k2"),
+        point_handle("point", "Inner point", INNER, "k1"),
+        point_handle("outer", "Outer point", OUTER, "k2"),
         Handle(
             "crossing", "grid", "Image of a crossing", drives=("k1",), at=crossing_at, role="image"
         ),

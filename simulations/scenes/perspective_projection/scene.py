@@ -250,7 +250,7 @@ def point_pulled(_settings: Settings, spot: Point) -> dict[str, float]:
 def plane_at(settings: Settings, _outputs: Outputs) -> Point | None:
     """The lower end of the image plane, if it is in the panel."""
     depth = view_of(settings).camera.plane_m
-    end = top_view.above(depth, HALF_WIDTH_PX * METRES_PER_PX)
+    end = top_view.top_view_place(depth, HALF_WIDTH_PX * METRES_PER_PX)
     return None if depth < top_view.LEFT_M else tuple(end.tolist())
 
 
@@ -278,7 +278,9 @@ SCENE = Scene(
             "top",
             "Point",
             drives=("depth", "point_x"),
-            at=lambda settings, _: tuple(top_view.above(settings.depth, settings.point_x).tolist()),
+            at=lambda settings, _: tuple(
+                top_view.top_view_place(settings.depth, settings.point_x).tolist()
+            ),
             pull=point_pulled,
             role="world",
             reversed=("point_x",),

@@ -14,7 +14,7 @@ from simulations.scenes.perspective_projection.view import (
     Projection,
     room_axes,
 )
-from simulations.world.plan import drawn
+from simulations.world.plan import plan_markup
 
 WIDTH, HEIGHT = 400.0, 324.0
 FLOOR = 298.0  # lower edge of the drawing; the equation is below it
@@ -27,7 +27,7 @@ LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE  # depth of the panel's left edge
 LEAST_LEG = 20.0  # leg of a triangle, in view box units, from which it is named
 
 
-def above(Z: float, X: float) -> Floats:
+def top_view_place(Z: float, X: float) -> Floats:
     """Metres to the view box from above."""
     return AXIS + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
 
@@ -47,7 +47,7 @@ def panel(view: Projection) -> Panel:
         image_plane(view),
         ray(view) if view.visible else ray_without_image(view),
         centre(view),
-        drawing.dot(above(view.Z, view.X), "world", 5.5),
+        drawing.dot(top_view_place(view.Z, view.X), "world", 5.5),
         equation(view),
     )
     title = "From above (X drawn stretched)"
@@ -58,8 +58,10 @@ def depth_axis(view: Projection) -> str:
     """The optical axis, with its depths on the side away from the point."""
     row = -8.0 if view.X >= 0.0 else 17.0
     ticks = "".join(
-        drawing.line(above(Z, -0.08), above(Z, 0.08), "muted thin")
-        + drawing.text(moved(above(Z, 0.0), 0.0, row), f"{Z} m", "muted small ground", "middle")
+        drawing.line(top_view_place(Z, -0.08), top_view_place(Z, 0.08), "muted thin")
+        + drawing.text(
+            moved(top_view_place(Z, 0.0), 0.0, row), f"{Z} m", "muted small ground", "middle"
+        )
         for Z in (5, 10, 20)
         if view.full or Z != REFERENCE_DEPTH_M
     )
@@ -68,7 +70,7 @@ def depth_axis(view: Projection) -> str:
 
 def reference_plane() -> str:
     """The plane whose image is the same in perspective and in orthography."""
-    high, low = above(REFERENCE_DEPTH_M, -4.0), above(REFERENCE_DEPTH_M, 3.5)
+    high, low = top_view_place(REFERENCE_DEPTH_M, -4.0), top_view_place(REFERENCE_DEPTH_M, 3.5)
     return drawing.line(high, low, "image dashed") + drawing.text(
         moved(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small ground"
     )
@@ -79,7 +81,10 @@ def image_plane(view: Projection) -> str:
     half = HALF_WIDTH_PX * METRES_PER_PX
     if view.camera.plane_m < LEFT_M:
         return ""
-    left, right = above(view.camera.plane_m, -half), above(view.camera.plane_m, half)
+    left, right = (
+        top_view_place(view.camera.plane_m, -half),
+        top_view_place(view.camera.plane_m, half),
+    )
     spot = moved(left, 8.0, 10.0) if view.X >= 0.0 else moved(right, 18.0, 4.0)
     parts = [
         drawing.line(left, right, "image bold"),
@@ -103,7 +108,7 @@ def plan(view: Projection) -> str:
         points = world_to_camera(np.insert(flat, 2, 0.0, axis=1), room_axes(view))
         return AXIS + points[:, [2, 0]] * (DEPTH_SCALE, SIDE_SCALE)
 
-    return drawn(place, *DRAWN)
+    return plan_markup(place, *DRAWN)
 
 
 def in_room(points: Floats, *, closed: bool = True) -> Floats:
@@ -120,15 +125,19 @@ def segment(start: Floats, end: Floats, style: str) -> str:
 def triangles(view: Projection) -> str:
     """The similar triangles: centre, axis and point; centre, principal point and image."""
     side = 1.0 if view.X >= 0.0 else -1.0
-    parts = [drawing.polygon([AXIS, above(view.Z, 0.0), above(view.Z, view.X)], "ray thin fill")]
+    parts = [
+        drawing.polygon(
+            [AXIS, top_view_place(view.Z, 0.0), top_view_place(view.Z, view.X)], "ray thin fill"
+        )
+    ]
     if SIDE_SCALE * abs(view.X) >= LEAST_LEG and DEPTH_SCALE * view.Z >= LEAST_LEG:
-        middle = moved(above(view.Z, 0.35 * view.X), -7.0, 4.0)
+        middle = moved(top_view_place(view.Z, 0.35 * view.X), -7.0, 4.0)
         parts.append(drawing.text(middle, "X", "world italic ground", "end"))
     if abs(view.x) <= HALF_WIDTH_PX:
         distance, across = view.camera.plane_m, view.x * METRES_PER_PX
-        hit = above(distance, across)
+        hit = top_view_place(distance, across)
         parts += [
-            drawing.line(above(distance, 0.0), hit, "image bold"),
+            drawing.line(top_view_place(distance, 0.0), hit, "image bold"),
             drawing.dot(hit, "image", 4.0),
             drawing.text(moved(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic ground", "end"),
         ]
@@ -137,7 +146,7 @@ def triangles(view: Projection) -> str:
 
 def on_ray(view: Projection, Z: float) -> Floats:
     """The place from above, at a depth, of the ray through the point."""
-    return above(Z, view.X * view.camera.size_at(view.Z) / view.camera.size_at(Z))
+    return top_view_place(Z, view.X * view.camera.size_at(view.Z) / view.camera.size_at(Z))
 
 
 def ray(view: Projection) -> str:
@@ -151,9 +160,9 @@ def ray(view: Projection) -> str:
         return parts[0]
     if view.Z > 0.0:
         Z, X = max(reference, view.Z), view.X * reference / view.Z
-        parts.append(segment(AXIS, above(Z, X * Z / reference), "error thin dashed"))
+        parts.append(segment(AXIS, top_view_place(Z, X * Z / reference), "error thin dashed"))
         if abs(X) < 3.5:
-            parts.append(drawing.dot(above(reference, X), "error", 3.0))
+            parts.append(drawing.dot(top_view_place(reference, X), "error", 3.0))
     own = on_ray(view, reference)
     if abs(own[1] - AXIS[1]) < 3.5 * SIDE_SCALE:
         parts.append(drawing.dot(own, "image", 4.0))
@@ -164,9 +173,13 @@ def ray_without_image(view: Projection) -> str:
     """The line from the point through the centre, or along the plane of the centre."""
     away = view.Z - view.camera.centre_m
     if away == 0.0:
-        return segment(above(view.Z, 0.0), above(view.Z, view.X), "error dashed")
+        return segment(top_view_place(view.Z, 0.0), top_view_place(view.Z, view.X), "error dashed")
     mirrored = view.X * (view.camera.plane_m - view.camera.centre_m) / away
-    return segment(above(view.Z, view.X), above(view.camera.plane_m, mirrored), "error dashed")
+    return segment(
+        top_view_place(view.Z, view.X),
+        top_view_place(view.camera.plane_m, mirrored),
+        "error dashed",
+    )
 
 
 def centre(view: Projection) -> str:
@@ -176,7 +189,7 @@ def centre(view: Projection) -> str:
     elif view.camera.centre_m < LEFT_M:
         words = f"centre: {-view.camera.centre_m:.0f} m farther back"
     else:
-        spot = above(view.camera.centre_m, 0.0)
+        spot = top_view_place(view.camera.centre_m, 0.0)
         name = max(spot[0], 26.0), spot[1] + (20.0 if view.X < 0.0 else -11.0)
         return drawing.dot(spot, "camera", 5.0) + drawing.text(
             name, "centre", "camera small ground", "middle"

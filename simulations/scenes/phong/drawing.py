@@ -156,7 +156,7 @@ def vector_labels(found: list[Direction], seen: float, near: float) -> Iterator[
     """
     groups: list[list[Direction]] = []
     for vector in sorted(found, key=lambda item: math.remainder(item[1], 2 * math.pi)):
-        if groups and apart(groups[-1][-1], vector) < SAME_RAD:
+        if groups and azimuth_difference(groups[-1][-1], vector) < SAME_RAD:
             groups[-1].append(vector)
         else:
             groups.append([vector])
@@ -171,12 +171,12 @@ def vector_labels(found: list[Direction], seen: float, near: float) -> Iterator[
             aside = math.copysign(0.2, math.sin(middle))
             low = 0.0 <= math.cos(middle) < 0.4  # above the arrow, not on the surface's line
             place = towards(middle - aside if low else middle + aside, VECTOR * near - 16)
-        label = (" = " if apart(group[0], group[-1]) < 1e-6 else ", ").join(letters)
+        label = (" = " if azimuth_difference(group[0], group[-1]) < 1e-6 else ", ").join(letters)
         level = -9.0 if abs(math.cos(middle)) < 0.12 else 4.5  # clear of the surface's own line
         yield text((place[0], place[1] + level), label, f"{group[0][2]} strong ground", "middle")
 
 
-def apart(first: Direction, second: Direction) -> float:
+def azimuth_difference(first: Direction, second: Direction) -> float:
     return abs(math.remainder(first[1] - second[1], 2 * math.pi))
 
 

@@ -92,7 +92,7 @@ def add(matte: Floats, shine: Floats, specular: float) -> Floats:
     return matte + np.float32(specular) * shine[..., None]
 
 
-def is_dull(specular: float, light_angle: float) -> str:
+def no_highlight(specular: float, light_angle: float) -> str:
     """Why the vase has no highlight, if it has none."""
     if specular == 0:
         return "a highlight of strength 0 adds nothing"
@@ -105,8 +105,8 @@ STAGES = (
     Stage("normals", _ball.lit_normals, ("body",)),
     Stage("matte", matte_light, ("normals", "body")),
     # If it is skipped, so is the sum, and its output is not used.
-    Stage("highlight", shine, ("normals", "body"), neutral=is_dull),
-    Stage("light", add, ("matte", "highlight"), neutral=is_dull),
+    Stage("highlight", shine, ("normals", "body"), neutral=no_highlight),
+    Stage("light", add, ("matte", "highlight"), neutral=no_highlight),
     Stage("picture", _ball.paint, ("body", "light")),
 )
 

@@ -98,7 +98,7 @@ def is_stopped(height: float, opening: float, ray: Rays) -> bool:
 def from_side(glass: Glass, fan: Rays, marked: Rays, height: float, opening: float) -> str:
     """The glass, the opening, the fan of rays, and the marked one over them."""
     view, heights = section_for(glass.distance_mm), fan_heights(opening)
-    rays = ways(view, glass, fan, heights)
+    rays = ray_polylines(view, glass, fan, heights)
     return "".join(
         (
             line((4, AXIS_Y), (WIDTH - 4, AXIS_Y), "muted thin dashed"),
@@ -110,7 +110,7 @@ def from_side(glass: Glass, fan: Rays, marked: Rays, height: float, opening: flo
                 line(view.at(0.0, side * opening), view.at(0.0, side * BLADE_MM), "bold")
                 for side in (-1, 1)
             ),
-            *marked_ray(view, glass, marked, height, opening),
+            *draw_marked_ray(view, glass, marked, height, opening),
             *normals(view, glass, marked),
             *marks(view, glass, height, opening),
             *images(view, glass),
@@ -118,11 +118,11 @@ def from_side(glass: Glass, fan: Rays, marked: Rays, height: float, opening: flo
     )
 
 
-def marked_ray(
+def draw_marked_ray(
     view: Section, glass: Glass, marked: Rays, height: float, opening: float
 ) -> Iterator[str]:
     """The marked ray to its end, or to the opening if that stops it, and why it ends."""
-    (way,) = ways(view, glass, marked, np.array([height]))
+    (way,) = ray_polylines(view, glass, marked, np.array([height]))
     fate, words = int(marked.fate[0]), STOPPED
     if is_stopped(height, opening, marked):
         end = (view.lens_x, float(np.interp(view.lens_x, *np.transpose(way))))
@@ -167,7 +167,7 @@ def outline(view: Section, glass: Glass) -> list[tuple[float, float]]:
     return there + [view.at(x, h) for x, h in zip(back[::-1], heights[::-1], strict=True)]
 
 
-def ways(
+def ray_polylines(
     view: Section, glass: Glass, rays: Rays, heights: Floats
 ) -> list[list[tuple[float, float]]]:
     """Each ray from the left to its end, or to the border of the panel."""

@@ -148,7 +148,7 @@ def readouts(settings: Settings, glass: Glass, true: singlet.Rays) -> Iterator[R
     )
     for name, label, along, role in places:
         word = "" if is_finite(along) and along >= 0.0 else "virtual" if is_finite(along) else "∞"
-        yield number_or(word, name, label, along, role)
+        yield readout_or_word(word, name, label, along, role)
     crossing = float(true.crossing_mm[0])
     off = crossing - glass.paraxial_mm if glass.real else math.nan
     why = FATES.get(int(true.fate[0]), "")
@@ -158,18 +158,18 @@ def readouts(settings: Settings, glass: Glass, true: singlet.Rays) -> Iterator[R
         ("true_at", "The ray crosses at", crossing, "ray"),
         ("aberration", "Spherical aberration", off, "error"),
     ):
-        yield number_or(why or ("" if is_finite(value) else "none"), name, label, value, role)
+        yield readout_or_word(why or ("" if is_finite(value) else "none"), name, label, value, role)
     outside, inside = front_angles(glass, true)
     word = "none" if math.isnan(outside) else ""
-    yield number_or(word, "incidence", "Ray meets the front at", outside, "ray", "°", 1)
-    yield number_or(word, "refracted", "… and goes on at", inside, "ray", "°", 1)
+    yield readout_or_word(word, "incidence", "Ray meets the front at", outside, "ray", "°", 1)
+    yield readout_or_word(word, "refracted", "… and goes on at", inside, "ray", "°", 1)
 
 
 def is_finite(length_mm: float) -> bool:
     return abs(length_mm) <= 1.0 / FLATTEST
 
 
-def number_or(
+def readout_or_word(
     word: str, name: str, label: str, value: float, role: str, unit: str = "mm", digits: int = 2
 ) -> Readout:
     """A number, or the word that says why there is none."""

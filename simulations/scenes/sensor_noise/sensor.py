@@ -133,7 +133,9 @@ def unequal_cells(light: Floats, unequal: float) -> Floats:
     return np.maximum(mean_e * (1 + np.float32(unequal / 100) * pattern), 0)
 
 
-def count(grain: Floats, cells: Floats, dark: float, new_noise: int, tier: ShotModel) -> Floats:
+def count_electrons(
+    grain: Floats, cells: Floats, dark: float, new_noise: int, tier: ShotModel
+) -> Floats:
     """(2, 24, 1600) electrons of both frames, freed by light and by heat."""
     mean_e = cells + dark
     if tier == "quantile":
@@ -239,7 +241,7 @@ STAGES = (
     Stage("shot grain", partial(grain, SHOT)),
     Stage("read grain", partial(grain, READ)),
     Stage("cells", unequal_cells, ("light",)),
-    Stage("electrons", count, ("shot grain", "cells")),
+    Stage("electrons", count_electrons, ("shot grain", "cells")),
     Stage("codes", read, ("electrons", "read grain")),
     Stage("transfer", measure, ("codes",)),
     Stage("picture", picture, ("codes",)),

@@ -73,13 +73,13 @@ def largest_error(found: Floats, exact: list[int]) -> float:
     return max(relative_error(value, true) for value, true in pairs)
 
 
-def drawn(distance: float) -> np.random.Generator:
+def generator_at(distance: float) -> np.random.Generator:
     return np.random.default_rng(round(-4 * np.log10(distance)))
 
 
 def angle(distance: float, kind: Kind) -> Found:
     """Pairs of quaternions half of the rotation θ apart; ``distance`` is 2 tan θ/2."""
-    rng = drawn(distance)
+    rng = generator_at(distance)
     start = unit(rng.uniform(0.2, 1.0, (DRAWS, 4)))
     aside = rng.uniform(-1.0, 1.0, (DRAWS, 4))
     across = unit(aside - (aside * start).sum(axis=-1, keepdims=True) * start)
@@ -107,7 +107,7 @@ def angle_by_lengths(start: Floats, end: Floats) -> Floats:
 
 def blur(distance: float, kind: Kind) -> Found:
     """|Z − s| is ``distance`` s. Lengths in focal lengths, the lens focused at 40 to 80 of them."""
-    focus = drawn(distance).uniform(40.0, 80.0, DRAWS).astype(kind)
+    focus = generator_at(distance).uniform(40.0, 80.0, DRAWS).astype(kind)
     depth = (focus * (1.0 + distance)).astype(kind)
     given = np.full(DRAWS, 0.5, kind), focus, depth
     triples = zip(*(numbers.tolist() for numbers in given), strict=True)
@@ -128,7 +128,7 @@ def blur_by_distances(scale: Floats, focus: Floats, depth: Floats) -> Floats:
 
 def origin(distance: float, kind: Kind) -> Found:
     """The point is 5 m to 10 m in front of a camera at 10 m / ``distance`` from the origin."""
-    rng = drawn(distance)
+    rng = generator_at(distance)
     depth = rng.uniform(5.0, 10.0, DRAWS)
     across = rng.uniform(0.2, 0.5, DRAWS) * depth
     centre = (10.0 / distance * np.array([0.64, 0.48, 0.6])).astype(kind)
@@ -162,7 +162,7 @@ def dot(row: Floats, points: Floats) -> Floats:
 def fold(distance: float, kind: Kind) -> Found:
     """r_d is short of its largest value by this share of it. Five Newton steps from r_d, or
     halvings from 1 to the last bit of a double, and some more."""
-    spread = drawn(distance).uniform(0.8, 1.2, DRAWS)
+    spread = generator_at(distance).uniform(0.8, 1.2, DRAWS)
     inside = 1.0 - np.minimum(distance * spread, 1.0 - 1e-3)
     seen = (LARGEST_SEEN * inside).astype(kind)
     k1, start = float(kind(K1)), newton(seen.astype(np.float64), 60).tolist()
@@ -205,7 +205,7 @@ def over(a: int, b: int) -> int:
     return (a << BITS) // b
 
 
-def root(a: int) -> int:
+def fixed_point_root(a: int) -> int:
     return isqrt(a << BITS)
 
 
@@ -213,10 +213,10 @@ def arctangent(ratio: int) -> int:
     """Arctangent of 0 or more: the argument is halved until it is small, then Gregory's series is
     summed."""
     if ratio > ONE:
-        return 2 * arctangent(over(root(times(ratio, ratio) + ONE) - ONE, ratio))
+        return 2 * arctangent(over(fixed_point_root(times(ratio, ratio) + ONE) - ONE, ratio))
     halvings = 0
     while ratio > ONE >> 10:
-        ratio = over(ratio, ONE + root(ONE + times(ratio, ratio)))
+        ratio = over(ratio, ONE + fixed_point_root(ONE + times(ratio, ratio)))
         halvings += 1
     square, power, total, odd = times(ratio, ratio), ratio, 0, 1
     while power:

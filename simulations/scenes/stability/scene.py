@@ -68,7 +68,7 @@ class Settings:
         return round((self.power - LOWEST) / STEP)
 
 
-def shown(errors: Floats, digits: str) -> Floats:
+def rounded_errors(errors: Floats, digits: str) -> Floats:
     """Errors (n,) as drawn: see `UNITS_OF_ROUNDING` and `PER_DECADE`."""
     floored = np.maximum(errors, UNITS_OF_ROUNDING * unit_of(digits))
     return np.asarray(10.0 ** (np.rint(PER_DECADE * np.log10(floored)) / PER_DECADE))
@@ -81,11 +81,11 @@ def right_digits(error: float) -> str:
 
 def mark_at(settings: Settings, outputs: Outputs) -> Point:
     """The mark on the curve as written, or where that has no value, at the top."""
-    error = float(shown(outputs["errors"].written, settings.digits)[settings.index])
+    error = float(rounded_errors(outputs["errors"].written, settings.digits)[settings.index])
     return PLOT.at(float(DISTANCES[settings.index]), error if math.isfinite(error) else 1.0)
 
 
-def pulled(_settings: Settings, place: Point) -> dict[str, float]:
+def power_at(_settings: Settings, place: Point) -> dict[str, float]:
     """The distance below the pointer: a search would compute pictures."""
     share = (place[0] - PLOT.x.start) / (PLOT.x.end - PLOT.x.start)
     return {"power": LOWEST * (1.0 - min(max(share, 0.0), 1.0))}
@@ -109,8 +109,8 @@ def error_plot(settings: Settings, errors: Errors) -> str:
             PLOT.region(y=(PLOT.y.low, UNITS_OF_ROUNDING * unit_of(digits))),
             PLOT.frame(across, up),
             PLOT.curve(DISTANCES, errors.bound, "muted dashed"),
-            PLOT.curve(DISTANCES, shown(errors.rearranged, digits), "image bold"),
-            PLOT.curve(DISTANCES, shown(errors.written, digits), "error bold"),
+            PLOT.curve(DISTANCES, rounded_errors(errors.rearranged, digits), "image bold"),
+            PLOT.curve(DISTANCES, rounded_errors(errors.written, digits), "error bold"),
             PLOT.upright(float(DISTANCES[settings.index]), "world thin"),
             dot(mark_at(settings, {"errors": errors}), "world", 5) if marked else "",
             label((PLOT.x.end - 6, PLOT.y.start - 6), "rounding", "muted small ground", "end"),
@@ -123,7 +123,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture through both computations, their errors and the bound."""
     errors: Errors = outputs["errors"]
     both = [
-        float(shown(curve, settings.digits)[settings.index])
+        float(rounded_errors(curve, settings.digits)[settings.index])
         for curve in (errors.written, errors.rearranged)
     ]
     plot = error_plot(settings, errors)
@@ -171,7 +171,7 @@ SCENE = Scene(
             "Mark on the curve",
             drives=("power",),
             at=mark_at,
-            pull=pulled,
+            pull=power_at,
             reach="press",
             role="world",
         ),

@@ -39,10 +39,10 @@ def space(azimuth: float, elevation: float) -> View:
 
 def axis_end(pair: Pair) -> Floats:
     """The handle on the right camera's axis."""
-    return in_left(pair, np.array([0.0, 0.0, AXIS_M]))
+    return right_to_left_frame(pair, np.array([0.0, 0.0, AXIS_M]))
 
 
-def in_left(pair: Pair, points: Floats) -> Floats:
+def right_to_left_frame(pair: Pair, points: Floats) -> Floats:
     """Points (..., 3) of the right camera's frame in the left one's."""
     return np.asarray((points - pair.t) @ pair.R)
 
@@ -57,11 +57,11 @@ def space_panel(view: LampView, look: View) -> Panel:
     left, right, lamp = np.zeros(3), np.array([pair.baseline, 0.0, 0.0]), view.point
     under = np.array([lamp[0], FLOOR_M, lamp[2]])
     parts = (
-        plan.drawn(lambda corners: look.all(on_floor(corners)), *BORDERS),
+        plan.plan_markup(lambda corners: look.all(on_floor(corners)), *BORDERS),
         depths(look),
         *cameras(view, look),
-        drawing.polygon(cut(look, [left, right, lamp], closed=True), "ray fill thin"),
-        doubt(view, look),
+        drawing.polygon(clipped_to_panel(look, [left, right, lamp], closed=True), "ray fill thin"),
+        match_interval(view, look),
         segment(look, [left, view.at(FAR_M)], "ray"),
         segment(look, [right, lamp], "ray"),
         segment(look, [left, right], "camera bold"),
@@ -79,13 +79,13 @@ def on_floor(corners: Floats) -> Floats:
     return np.asarray((np.insert(corners, 2, 0.0, axis=1) - EYE) @ FROM_ROOM.T)
 
 
-def cut(look: View, points: list[Floats], *, closed: bool = False) -> Floats:
+def clipped_to_panel(look: View, points: list[Floats], *, closed: bool = False) -> Floats:
     """A line or an area clipped to the panel."""
     return clip_to_rectangle(look.all(np.stack(points)), *BORDERS, closed)
 
 
 def segment(look: View, points: list[Floats], style: str) -> str:
-    places = cut(look, points)
+    places = clipped_to_panel(look, points)
     return drawing.polyline(places, style) if len(places) > 1 else ""
 
 
@@ -107,7 +107,7 @@ def cameras(view: LampView, look: View) -> list[str]:
     for right, line in zip((False, True), lines, strict=True):
         points = on_screen(pair, np.concatenate([PICTURE, line]))
         centre = np.array([pair.baseline if right else 0.0, 0.0, 0.0])
-        places = look.all(in_left(pair, points) if right else points)
+        places = look.all(right_to_left_frame(pair, points) if right else points)
         apex = look.at(*centre)
         parts += [drawing.line(apex, corner, "camera thin faint") for corner in places[:4]]
         parts.append(drawing.polygon(places[:4], "camera thin"))
@@ -115,13 +115,13 @@ def cameras(view: LampView, look: View) -> list[str]:
     return parts
 
 
-def doubt(view: LampView, look: View) -> str:
+def match_interval(view: LampView, look: View) -> str:
     """The part of the left ray that is consistent with the match and its error, with the
     directions of the right camera that lead to it."""
     if view.nearest == view.farthest:
         return ""
     ends = [view.at(view.nearest), view.at(min(view.farthest, FAR_M))]
-    wedge = cut(look, [np.array([view.pair.baseline, 0.0, 0.0]), *ends], closed=True)
+    wedge = clipped_to_panel(look, [np.array([view.pair.baseline, 0.0, 0.0]), *ends], closed=True)
     filled = drawing.polygon(wedge, "error thin fill") if len(wedge) > 2 else ""
     return filled + segment(look, ends, "error bold")
 

@@ -174,9 +174,9 @@ def right_panel(view: LampView, photo: Raster) -> Panel:
     match for parallel cameras."""
     row = float(view.left[1])
     parts = [
-        _drawn([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)], "muted thin dashed"),
-        _drawn(line_in_rectangle(view.line, *BORDERS), "ray thin faint"),
-        _drawn([view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)], "ray"),
+        _clipped_polyline([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)], "muted thin dashed"),
+        _clipped_polyline(line_in_rectangle(view.line, *BORDERS), "ray thin faint"),
+        _clipped_polyline([view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)], "ray"),
         _depths(view),
         _disparity(view),
         _lamp(view, view.right, right=True),
@@ -190,10 +190,10 @@ def _lamp(view: LampView, pixel: Floats, right: bool) -> str:
     """The lamp on its cord, or its direction if it is outside the picture."""
     hook = view.point * (1.0, 0.0, 1.0) + (0.0, min(CEILING_Y, view.point[1]), 0.0)
     above = view.pair.right(hook) if right else project(hook, view.pair.K)[0]
-    return _drawn([above, pixel], "world thin") + _image(pixel)
+    return _clipped_polyline([above, pixel], "world thin") + _image(pixel)
 
 
-def _drawn(ends: ArrayLike, style: str) -> str:
+def _clipped_polyline(ends: ArrayLike, style: str) -> str:
     """A polyline, in pixels, clipped to the picture."""
     points = clip_to_rectangle(ends, *BORDERS, closed=False)
     return drawing.polyline([place(point) for point in points], style) if len(points) > 1 else ""
@@ -228,7 +228,7 @@ def _depths(view: LampView) -> str:
 def _disparity(view: LampView) -> str:
     """The shift from the lamp's place in the left picture to that in the right one, with the
     error."""
-    parts = [_drawn(view.matches, "error bold")]
+    parts = [_clipped_polyline(view.matches, "error bold")]
     if in_picture(view.left) and in_picture(view.right):
         start, end = place(view.left), place(view.right)
         row = max(start[1], end[1]) + SHIFT_BELOW

@@ -70,7 +70,7 @@ def exposure_of(tier: str, frame: int) -> Exposure:
     kind, _, count = tier.partition("-")
     match kind:
         case "integral":
-            return spoked_wheel.throughout
+            return spoked_wheel.exposure_mean
         case "instants":
             return lambda row: mean_of_instants(partial(spoked_wheel.at_moment, row), int(count))
         case "random" | "jittered":

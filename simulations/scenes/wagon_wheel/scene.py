@@ -38,7 +38,7 @@ LEGEND = (
 )
 
 
-def around(angle_rad: float, radius: float) -> Point:
+def point_about_wheel(angle_rad: float, radius: float) -> Point:
     """A place at an angle about the wheel's centre, clockwise from the right."""
     return CENTRE[0] + radius * math.cos(angle_rad), CENTRE[1] + radius * math.sin(angle_rad)
 
@@ -46,14 +46,17 @@ def around(angle_rad: float, radius: float) -> Point:
 def on_dial(speed: float) -> Point:
     """Place of a speed, in turns per second, on the dial, whose scale is wider for slow ones."""
     turned = math.copysign(math.sqrt(min(abs(speed) / FASTEST, 1.0)), speed)
-    return around(-math.pi / 2 + turned * DIAL_END, RADIUS + DIAL)
+    return point_about_wheel(-math.pi / 2 + turned * DIAL_END, RADIUS + DIAL)
 
 
 def wheel(spokes: int, angle_rad: float, speed: float) -> str:
     """The wheel at this moment; one spoke is marked, which the film does not record."""
     ends = [angle_rad + 2 * math.pi * index / spokes for index in range(spokes)]
-    bars = [[around(end, 14), around(end, RADIUS - 4)] for end in ends]
-    arc = [around(-math.pi / 2 + DIAL_END * step / 24, RADIUS + DIAL) for step in range(-24, 25)]
+    bars = [[point_about_wheel(end, 14), point_about_wheel(end, RADIUS - 4)] for end in ends]
+    arc = [
+        point_about_wheel(-math.pi / 2 + DIAL_END * step / 24, RADIUS + DIAL)
+        for step in range(-24, 25)
+    ]
     whole = [on_dial(float(speed)) for speed in range(-int(FASTEST), int(FASTEST) + 1)]
     outwards = 1.0 + 5.0 / (RADIUS + DIAL)
     ticks = [
@@ -69,7 +72,7 @@ def wheel(spokes: int, angle_rad: float, speed: float) -> str:
             circle(CENTRE, RADIUS - 9, "world thin"),
             path(bars[1:], "world bold"),
             path(bars[:1], "ray bold"),
-            dot(around(angle_rad, RADIUS - 4), "ray", 6),
+            dot(point_about_wheel(angle_rad, RADIUS - 4), "ray", 6),
             circle(CENTRE, 14, "world fill"),
             polyline(arc, "muted thin faint"),
             path(ticks, "muted thin"),
@@ -94,7 +97,7 @@ def dial_arrow(speed: float, style: str) -> str:
     """An arrow along the dial from the top to a speed; without head if it is shorter than that."""
     end, top = on_dial(speed), -math.pi / 2
     angle = math.atan2(end[1] - CENTRE[1], end[0] - CENTRE[0])
-    arc = [around(top + (angle - top) * step / 24, RADIUS + DIAL) for step in range(25)]
+    arc = [point_about_wheel(top + (angle - top) * step / 24, RADIUS + DIAL) for step in range(25)]
     before_head = [point for point in arc if math.dist(point, end) > HEAD]
     if not before_head:
         return polyline(arc, style)
@@ -222,7 +225,7 @@ def speed_at(settings: Settings, _outputs: Outputs) -> Point:
 def spoke_at(settings: Settings, _outputs: Outputs) -> Point | None:
     """None for a wheel that does not turn, which time does not move."""
     turned = settings.turn_per_frame * settings.time
-    return around(turned, RADIUS - 4) if settings.speed else None
+    return point_about_wheel(turned, RADIUS - 4) if settings.speed else None
 
 
 def spoke_pulled(settings: Settings, place: Point) -> dict[str, Value]:

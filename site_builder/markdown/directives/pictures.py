@@ -6,7 +6,7 @@ from importlib import import_module
 from pathlib import PurePosixPath
 
 from simulations.engine.illustration import Illustration
-from simulations.registry import found
+from simulations.registry import modules_in
 from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import CodeError
@@ -86,7 +86,7 @@ FIGURE = Directive(
 )
 
 
-MODULES = found("illustrations")
+MODULES = modules_in("illustrations")
 
 
 @dataclass(frozen=True, slots=True)
