@@ -25,11 +25,11 @@ from simulations.script import script as script
 
 _caches: dict[str, StageCache] = {}
 _photographs: dict[str, Photograph] = {}
-"""The reader's own picture, by figure."""
+"""The reader's photograph, by figure."""
 _readings: dict[str, Readings] = {}
-"""What was read of the reader's pictures, by figure."""
+"""Readings of the reader's photographs, by figure."""
 _estimates: dict[str, tuple[object, Iterator[Readout]]] = {}
-"""For each figure: what is being estimated, and the estimates to come."""
+"""For each figure: the call, and its estimates to come."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,10 +93,10 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
 
 
 def exercise(program: str, edits: str, stage: str) -> str:
-    """JSON of what a stage of an exercise finds in the reader's text ``edits``.
+    """JSON of the results of a stage of an exercise for the reader's text ``edits``.
 
     ``program`` is JSON of a `simulations.editing.exercise.Exercise`. Errors in the text are
-    returned, as ``problem``; ``printed`` is what it printed.
+    returned, as ``problem``; ``printed`` is its output.
     """
     if sys.platform == "emscripten" and _last_edits != [edits]:
         restore_modules()
@@ -104,14 +104,14 @@ def exercise(program: str, edits: str, stage: str) -> str:
     from simulations.editing.exercise import Exercise, findings, place_of  # most never need it
     from simulations.editing.problems import problem_of
 
-    asked = Exercise(**json.loads(program))
+    task = Exercise(**json.loads(program))
     printed = io.StringIO()
     found: dict[str, Any] = {}
     try:
         with redirect_stdout(printed):
-            found = findings(asked, edits, stage, load_ladder, time.perf_counter)
+            found = findings(task, edits, stage, load_ladder, time.perf_counter)
     except BaseException as error:  # the reader's code may raise anything, `SystemExit` too
-        found = {"problem": asdict(problem_of(error, [place_of(asked, edits)]))}
+        found = {"problem": asdict(problem_of(error, [place_of(task, edits)]))}
     found["printed"] = printed.getvalue()[:MOST_PRINTED]
     return json.dumps(found, ensure_ascii=False)
 
@@ -139,8 +139,8 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
     JSON of a `Readout`, or ``null`` if there is no better one. A call with other values starts
     anew. Raises `UnknownIdError` and `ControlError`.
     """
-    own = (_photographs.get(figure), _readings.get(figure, ()))
-    call = (scene_id, values, tier, edits, own)
+    photographs = (_photographs.get(figure), _readings.get(figure, ()))
+    call = (scene_id, values, tier, edits, photographs)
     begun, estimates = _estimates.get(figure, (None, iter(())))
     if begun != call:
         scene, request = _request(figure, scene_id, values, tier, edits)
@@ -187,7 +187,7 @@ def photograph(figure: str, picture: Any) -> None:
 
 
 def read(scene_id: str, picture: Any) -> str:
-    """What a scene finds in a photograph, at full resolution: JSON of ``data`` or ``unfit``.
+    """A scene's reading of a photograph, at full resolution: JSON of ``data`` or ``unfit``.
 
     ``unfit`` is the sentence of an `UnfitError`. Raises `UnknownIdError`, and `TypeError` for a
     scene that reads none or data that are not JSON.
@@ -208,7 +208,7 @@ def sample(scene_id: str, name: str) -> bytes:
 
 
 def readings(figure: str, kept: str) -> None:
-    """Use what was read of the reader's pictures for ``figure`` from now on.
+    """Use readings of the reader's photographs for ``figure`` from now on.
 
     ``kept`` is a JSON list of objects with ``number``, ``name`` and ``data``; an empty one brings
     the book's pictures back.

@@ -60,7 +60,7 @@ class SourceFinder:
 
 
 def import_from_sources() -> None:
-    """In the browser: let every module of the book be imported, fetched or not."""
+    """In the browser: make every module of the book importable, fetched or not."""
     known = any(isinstance(finder, SourceFinder) for finder in sys.meta_path)
     if sys.platform == "emscripten" and not known:
         sys.meta_path.append(SourceFinder())

@@ -1,6 +1,6 @@
 """Judges a function that a reader has written.
 
-Three stages, each a call of its own: *values* compares its answers with those of the solution,
+Three stages, each a separate call: *values* compares its answers with the solution's,
 *workload* measures it in a ladder, beside the ladder's tiers, and *hard* tries the hard cases of
 the book's function. Mistakes that the author expects are recognised by what they compute.
 """
@@ -27,7 +27,7 @@ TOLERANCE = 1e-6
 """Of the largest expected number; a name of the checks, ``TOLERANCE = 1e-3``, sets another."""
 LONGEST_LISTED = 12
 LONGEST_GIVEN = 12
-"""Numbers of an array that is told in full beside a call that has it."""
+"""Most numbers of an array that is printed in full beside a call with it."""
 SMALLEST_PICTURE = 12
 """Arrays of fewer rows or columns are numbers, not pictures."""
 ROUNDS, BUDGET_S, AT_LEAST = 3, 0.03, 2
@@ -42,26 +42,26 @@ type LoadLadder = Callable[[str], Ladder]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Exercise:
-    """What the reader's function is judged by."""
+    """The task of an exercise, its solution and its checks."""
 
     name: str
-    """Of the function."""
+    """Name of the function."""
     check: str
     """Python: expressions, each a case, and before the last of them statements that prepare them;
     ``run(workload)``, where they define it, is the function as a tier of the ladder. What follows
-    is run when the book is built, and may assert what is true of the solution."""
+    is run when the book is built, and may assert properties of the solution."""
     solution: str
     wrong: tuple[str, ...] = ()
-    """Texts with mistakes that are expected."""
+    """Texts with expected mistakes."""
     model: str = ""
     """``MODULE:NAME`` of the book's function for the same; the text has the names of the module."""
     adapter: str = ""
-    """What makes the book's function of the reader's, where its arguments are others."""
+    """Python that makes the book's function from the reader's, if their arguments differ."""
     ladder: str = ""
     tier: str = ""
     """The tier of the ladder that is the same method."""
     hard: Mapping[str, Any] = field(default_factory=dict)
-    """What a table of hard cases has, with cases that call the book's function."""
+    """A table of hard cases, whose cases call the book's function."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +85,7 @@ class Miss:
 
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """A hard case, tried."""
+    """A hard case, and the reader's answer."""
 
     call: str
     why: str
@@ -118,11 +118,11 @@ def first_miss(exercise: Exercise, text: str) -> tuple[int, Miss | None]:
 
     Raises what the text raises.
     """
-    theirs, ours = (function_of(exercise, each) for each in (text, exercise.solution))
+    readers, ours = (function_of(exercise, code) for code in (text, exercise.solution))
     check = Check.of(exercise)
     for case in check.cases:
         expected, _ = check.answer(case, ours, refuses=True)
-        got, names = check.answer(case, theirs, refuses=isinstance(expected, ValueError))
+        got, names = check.answer(case, readers, refuses=isinstance(expected, ValueError))
         tolerance = names.get("TOLERANCE", TOLERANCE)
         fault = _changed(names, check) or _fault(got, expected, tolerance)
         if fault:
@@ -142,9 +142,9 @@ class Check:
     @classmethod
     def of(cls, exercise: Exercise) -> "Check":
         body = ast.parse(exercise.check).body
-        cases = [each for each in body if isinstance(each, ast.Expr)]
+        cases = [statement for statement in body if isinstance(statement, ast.Expr)]
         last = body.index(cases[-1]) if cases else 0
-        prepared = [each for each in body[:last] if not isinstance(each, ast.Expr)]
+        prepared = [item for item in body[:last] if not isinstance(item, ast.Expr)]
         return cls(
             exercise.name,
             _source(prepared),
@@ -153,7 +153,7 @@ class Check:
         )
 
     def names(self, function: Function) -> dict[str, Any]:
-        """What it prepares, anew."""
+        """Fresh values of the prepared names."""
         names: dict[str, Any] = {"np": np, self.name: function}
         exec(self.prepared, names)
         return names
@@ -172,12 +172,12 @@ class Check:
 
 
 def _source(body: Sequence[ast.stmt]) -> str:
-    return "\n".join(ast.unparse(each) for each in body)
+    return "\n".join(map(ast.unparse, body))
 
 
 def check_claims(exercise: Exercise) -> None:
-    """Raise what the check's claims about the solution raise, or `AssertionError` of the first that
-    is false."""
+    """Run the check's claims about the solution. Raises what they raise, or `AssertionError` with
+    the first that is false."""
     check = Check.of(exercise)
     names = check.names(function_of(exercise, exercise.solution))
     for claim in check.claims:
@@ -195,7 +195,7 @@ def _changed(names: Mapping[str, Any], check: Check) -> str:
 
 
 def _fault(got: Any, expected: Any, tolerance: float) -> str:
-    """What is wrong with an answer; nothing where it is right."""
+    """The kind of fault of an answer; empty if it is right."""
     if isinstance(expected, ValueError):
         return "" if isinstance(got, ValueError) else "accepted"
     if got is None:
@@ -205,17 +205,17 @@ def _fault(got: Any, expected: Any, tolerance: float) -> str:
             return "shape"
         faults = (_fault(*pair, tolerance) for pair in zip(got, expected, strict=True))
         return next(filter(None, faults), "")
-    theirs, ours = np.asarray(got), np.asarray(expected)
-    if ours.dtype.kind not in NUMBERS:
+    values, correct = np.asarray(got), np.asarray(expected)
+    if correct.dtype.kind not in NUMBERS:
         return "" if type(got) is type(expected) and got == expected else "value"
-    if theirs.dtype.kind not in NUMBERS:
+    if values.dtype.kind not in NUMBERS:
         return "kind"
-    if theirs.shape != ours.shape:
+    if values.shape != correct.shape:
         return "shape"
-    if np.any(np.isnan(theirs) & ~np.isnan(ours)):
+    if np.any(np.isnan(values) & ~np.isnan(correct)):
         return "nan"
-    size = np.max(np.abs(ours), where=np.isfinite(ours), initial=0.0) or 1.0
-    close = np.allclose(theirs, ours, rtol=0, atol=tolerance * size, equal_nan=True)
+    size = np.max(np.abs(correct), where=np.isfinite(correct), initial=0.0) or 1.0
+    close = np.allclose(values, correct, rtol=0, atol=tolerance * size, equal_nan=True)
     return "" if close else "value"
 
 
@@ -232,55 +232,34 @@ def _miss(
         if not _fault(got, other, tolerance) and _fault(other, expected, tolerance):
             recognised = index
             break
-    given = _inputs_of(exercise, case)
+    miss = Miss(fault, case, recognised=recognised, given=_inputs_of(exercise, case))
     if fault == "kind":
-        return Miss(
-            fault,
-            case,
-            got=type(got).__name__,
-            expected=show(expected),
-            recognised=recognised,
-            given=given,
-        )
+        return replace(miss, got=type(got).__name__, expected=show(expected))
     if fault == "shape":
-        return Miss(
-            fault,
-            case,
-            got=_shape(got),
-            expected=_shape(expected),
-            recognised=recognised,
-            given=given,
-        )
-    pictures = tuple(_picture(each) for each in (got, expected) if fault == "value")
+        return replace(miss, got=_shape(got), expected=_shape(expected))
+    pictures = [_picture(answer) for answer in (got, expected) if fault == "value"]
     if fault in ("value", "nan") and np.size(expected) > LONGEST_LISTED:
-        off = np.abs(np.subtract(got, expected, dtype=float))
-        at = np.unravel_index(np.argmax(np.where(np.isnan(off), np.inf, off)), off.shape)
-        case += f"[{', '.join(map(str, at))}]"
-        got, expected = np.asarray(got)[at], np.asarray(expected)[at]
-    drawn = tuple(each for each in pictures if each)
-    return Miss(
-        fault,
-        case,
-        got=show(got),
-        expected=show(expected),
-        recognised=recognised,
-        pictures=drawn,
-        given=given,
+        error = np.abs(np.subtract(got, expected, dtype=float))
+        worst = np.unravel_index(np.argmax(np.where(np.isnan(error), np.inf, error)), error.shape)
+        miss = replace(miss, call=f"{case}[{', '.join(map(str, worst))}]")
+        got, expected = np.asarray(got)[worst], np.asarray(expected)[worst]
+    return replace(
+        miss, got=show(got), expected=show(expected), pictures=(*filter(None, pictures),)
     )
 
 
 def _inputs_of(exercise: Exercise, case: str) -> tuple[Mapping[str, str], ...]:
-    """What the names in a case stand for; nothing for functions and modules."""
+    """The values of the names in a case, except functions and modules."""
     check = Check.of(exercise)
     names = check.names(function_of(exercise, exercise.solution))
-    told = []
+    inputs = []
     for name in dict.fromkeys(re.findall(r"\b[A-Z]\w*", case)):
         value = names.get(name)
         if isinstance(value, np.ndarray) and value.size > LONGEST_GIVEN:
-            told.append({"name": name, "shape": _shape(value)})
+            inputs.append({"name": name, "shape": _shape(value)})
         elif isinstance(value, (np.ndarray, float, int, dict)):
-            told.append({"name": name, "value": show(value)})
-    return tuple(told)
+            inputs.append({"name": name, "value": show(value)})
+    return tuple(inputs)
 
 
 def _shape(value: Any) -> str:
@@ -307,10 +286,10 @@ def measured(
 ) -> tuple[TierResult, list[TierResult]]:
     """The reader's function, and the tiers of the ladder, on its workload."""
     run = Check.of(exercise).names(function_of(exercise, text))["run"]
-    own = Tier("", "", "", run)
+    readers = Tier("", "", "", run)
     workload = ladder.prepare()
     reference = ladder.reference(workload)
-    tiers = (*ladder.tiers, own)
+    tiers = (*ladder.tiers, readers)
     rounds: list[list[TierResult]] = []
     with np.errstate(all="ignore"):
         for _ in range(ROUNDS):  # in turns: the pace of a machine changes
@@ -343,8 +322,8 @@ def _median_result(results: Sequence[TierResult]) -> TierResult:
 
 
 def trials(exercise: Exercise, text: str) -> list[Trial]:
-    """The hard cases, tried, but for those of which the adapter raises `NotImplementedError`: what
-    they need is no argument of the reader's function."""
+    """The reader's answers to the hard cases, except cases for which the adapter raises
+    `NotImplementedError`: they need arguments that the reader's function does not have."""
     table, name = table_of(exercise.name, exercise.hard), exercise.model.partition(":")[2]
     theirs = table_of(exercise.name, exercise.hard, {name: function_of(exercise, text, name)})
     found = []
@@ -360,7 +339,7 @@ def trials(exercise: Exercise, text: str) -> list[Trial]:
 def _is_expected(table: HardCases, expected: str, got: Any) -> bool:
     try:
         return as_expected(table, expected, got)
-    except Exception:  # of an answer of another shape
+    except Exception:  # an answer of another shape
         return False
 
 
@@ -376,7 +355,7 @@ def _answer_or_error(table: HardCases, call: str) -> Any:
 def findings(
     exercise: Exercise, text: str, stage: str, load_ladder: LoadLadder, clock: Clock
 ) -> dict[str, Any]:
-    """What a ``stage`` finds, as plain data. Raises what the text raises."""
+    """The results of a ``stage``, as plain data. Raises what the text raises."""
     import_from_sources()
     if stage == "values":
         count, miss = first_miss(exercise, text)

@@ -1,8 +1,8 @@
 """A copy of a scene's program in which the reader has edited some definitions.
 
 The modules are executed anew, so that the copy shares only the engine and numpy with the book's
-program: no namespace and no cached array. Tables of functions, and functions imported by name, are
-those of the copy.
+program: no namespace and no cached array. Tables of functions, and functions imported by name,
+belong to the copy.
 """
 
 import ast

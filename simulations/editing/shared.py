@@ -7,18 +7,18 @@ from typing import Any
 HEAP, IMMUTABLE = 1 << 9, 1 << 8
 """Flags of classes (`Py_TPFLAGS_HEAPTYPE`, `Py_TPFLAGS_IMMUTABLETYPE` in `object.h`)."""
 _namespaces: list[tuple[dict[str, Any], dict[str, Any]]] = []
-"""The namespace of each module, and `sys.modules`, and what it held before any edit ran."""
+"""The namespace of each module, and `sys.modules`, with its contents before any edit ran."""
 _classes: list[tuple[type, dict[str, Any]]] = []
-"""Each class of theirs that can be changed, and its attributes, likewise."""
+"""Each changeable class of the modules, with its attributes before any edit ran."""
 _finders: list[tuple[list[Any], list[Any]]] = []
-"""The lists by which modules are found, likewise."""
+"""The lists by which modules are found, with their contents before any edit ran."""
 
 
 def restore_modules() -> None:
-    """Undo what earlier edits have set in `builtins`, numpy, all other modules and their classes.
+    """Undo the changes of earlier edits to `builtins`, numpy, all other modules and their classes.
 
-    The first call keeps what the modules hold. Nothing of `builtins` is used before it is restored.
-    Submodules that were imported meanwhile stay.
+    The first call stores the contents of the modules. Nothing of `builtins` is used before it is
+    restored. Submodules that were imported meanwhile stay.
     """
     for namespace, kept in _namespaces:
         namespace.update(kept)
@@ -35,15 +35,17 @@ def restore_modules() -> None:
         for name in vars(kind).keys() - kept.keys():
             type.__delattr__(kind, name)
     if not _finders:
-        _finders.extend((each, each.copy()) for each in (sys.meta_path, sys.path, sys.path_hooks))
+        lists = (sys.meta_path, sys.path, sys.path_hooks)
+        _finders.extend((finders, finders.copy()) for finders in lists)
     known = {id(namespace) for namespace, _ in _namespaces}
     modules = [module for module in sys.modules.values() if type(module) is ModuleType]
     for namespace in [*map(vars, modules), sys.modules]:
         if id(namespace) not in known:
             _namespaces.append((namespace, dict(namespace)))
-    seen = {id(kind) for kind, _ in _classes}
-    for kind in {each for module in modules for each in vars(module).values() if _is_open(each)}:
-        if id(kind) not in seen:
+    stored = {id(kind) for kind, _ in _classes}
+    values = (value for module in modules for value in vars(module).values())
+    for kind in {value for value in values if _is_open(value)}:
+        if id(kind) not in stored:
             _classes.append((kind, dict(vars(kind))))
 
 

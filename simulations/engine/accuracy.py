@@ -1,6 +1,6 @@
 """Accuracy: the levels at which a scene can be computed, from cheap to accurate.
 
-A scene says what it can do, never which slider needs what: while something moves, the page takes
+A scene lists its levels, never which slider needs which: while something moves, the page takes
 the most accurate level that this device computes in time (`static/js/figure/chooser.ts`).
 """
 
@@ -26,18 +26,18 @@ class Level:
     name: str
     """Its id, in addresses and chapters."""
     label: str = ""
-    """What readers see; a tier of the scene's ladder needs none."""
+    """Label for readers; a tier of the scene's ladder needs none."""
     gives: Mapping[str, Value] = field(default_factory=dict)
     """Parameters of the stages. ``tier`` is the level's name, unless it is among them."""
 
     @property
     def parameters(self) -> dict[str, Value]:
-        """All that it gives the stages."""
+        """All parameters of the stages at this level."""
         return {"tier": self.name, **self.gives}
 
 
 def tiers(*names: str, labels: Mapping[str, str] | None = None) -> tuple[Level, ...]:
-    """Levels that give the stages their names, as ``tier``; ``labels`` of those that are in no
+    """Levels whose parameter ``tier`` is their name. ``labels`` are for levels that are in no
     ladder, or whose label there does not fit."""
     return tuple(Level(name, (labels or {}).get(name, "")) for name in names)
 
@@ -49,7 +49,7 @@ def columns(*counts: int, label: str = "{} columns") -> tuple[Level, ...]:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Accuracy[S]:
-    """What a scene of the settings ``S`` can do."""
+    """The levels of a scene whose settings are ``S``."""
 
     levels: tuple[Level, ...] = ()
     """From cheap to accurate."""
@@ -90,7 +90,7 @@ class Accuracy[S]:
         return by_name.get(name) or by_name.get(self.default) or Level("")
 
     def mistakes(self) -> Iterator[str]:
-        """What contradicts itself, a sentence each."""
+        """Messages about contradictions."""
         names = self.names
         if len(set(names)) != len(names):
             yield f"levels {names}; legal: a name for each"
@@ -104,4 +104,4 @@ class Accuracy[S]:
 
 
 ONE_LEVEL: Accuracy[Any] = Accuracy()
-"""Of a scene with one way to compute it."""
+"""For a scene with one way to compute it."""

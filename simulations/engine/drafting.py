@@ -64,7 +64,7 @@ def swatch(corner: Point, width: float, height: float, srgb: Sequence[float]) ->
 
 
 def swatch_polygon(points: Iterable[Point], srgb: Sequence[float]) -> str:
-    """A polygon, likewise."""
+    """A polygon in a computed colour, the same in all themes."""
     return f'<polygon class="swatch" points="{point_list(points)}" fill="{_hex(srgb)}"/>'
 
 

@@ -17,7 +17,7 @@ LONGEST = 80
 NUMBERS = {
     0x829A: ("exposure_s", 1e-7, 1e5),
     0x829D: ("f_number", 0.1, 1e3),
-    0x8827: ("iso", 1.0, 65534.0),  # two bytes: the next value says that it is more
+    0x8827: ("iso", 1.0, 65534.0),  # two bytes: 65535 means a larger value
     0x8832: ("iso", 1.0, 1e7),
     0x920A: ("focal_mm", 0.1, 1e4),
     0xA405: ("focal_35mm_mm", 1.0, 1e4),
@@ -35,8 +35,8 @@ MARKER = re.compile(rb"\xff+([^\xff])")
 def exif_facts(head: bytes) -> dict[str, float | str]:
     """Facts by name, as far as ``head``, the first bytes of a file, has them.
 
-    Names and units are those of `simulations.engine.photograph.Photograph.facts`. Damaged data give
-    fewer facts, never an error, and so do numbers that no camera has.
+    Names and units: see `simulations.engine.photograph.Photograph.facts`. Damaged data, and numbers
+    that no camera has, give fewer facts, never an error.
     """
     facts: dict[str, float | str] = {}
     for tag, value in _entries(_tiff(head)):
@@ -84,7 +84,7 @@ def _in_png(head: bytes) -> bytes:
 
 
 def _entries(tiff: bytes) -> Iterator[tuple[int, float | bytes]]:
-    """Tag and value of the entries of the first directory, then of that of the exposure."""
+    """Tag and value of the entries of the first directory, then of the exposure's directory."""
     if tiff[:4] not in (b"II*\0", b"MM\0*"):
         return
     order = "<" if tiff.startswith(b"II") else ">"

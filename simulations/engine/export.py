@@ -1,4 +1,4 @@
-"""Files that a figure makes of its results."""
+"""Files that a reader can save from a figure."""
 
 import re
 from collections.abc import Callable
@@ -14,7 +14,7 @@ class Export[S]:
     name: str
     """Name of the file without its suffix; unique in the scene."""
     label: str
-    """What the button says: ``OpenCV YAML``."""
+    """Text of the button: ``OpenCV YAML``."""
     suffix: str
     """``.yaml``"""
     make: Callable[[S, Outputs], str]

@@ -59,7 +59,7 @@ MATHS: Mapping[str, object] = {
 
 
 class ExpressionError(ValueError):
-    """An expression that cannot be evaluated; the message says why."""
+    """An expression that cannot be evaluated; the message states why."""
 
 
 def evaluate(text: str, names: Mapping[str, object]) -> Any:
@@ -158,8 +158,8 @@ def _data(whole: object, name: str) -> object:
 
 
 def _expected(name: str, names: Mapping[str, object]) -> str:
-    own = [known for known in names if known not in MATHS]
-    return suggestion(name, names) or f"; legal: {', '.join(own) or 'none'}"
+    legal = [known for known in names if known not in MATHS]
+    return suggestion(name, names) or f"; legal: {', '.join(legal) or 'none'}"
 
 
 def _compared(node: ast.Compare, names: Mapping[str, object]) -> Any:

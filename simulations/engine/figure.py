@@ -1,4 +1,4 @@
-"""A figure from one function: its arguments are the controls, and what it returns is drawn. The
+"""A figure from one function: its arguments are the controls, and its result is drawn. The
 guide for authors has examples: `site_builder/scaffold/skeletons/gallery/`.
 """
 
@@ -29,14 +29,14 @@ from simulations.engine.settings import toggle as toggle
 from simulations.engine.stages import Outputs, Stage
 
 type Part = Plot | NDArray[Any] | str | Panel | Readout | Sound
-"""A plot, or a picture, (H, W) or (H, W, 3) from 0 to 1 or as bytes, each in a panel of its own;
+"""A plot, or a picture, (H, W) or (H, W, 3) from 0 to 1 or as bytes, each in its own panel;
 SVG, over the panel before it; a sentence, the frame's description; a panel, readout or sound."""
 type Drawn = Part | tuple[Part, ...]
 
 PANEL = "figure"
 """Name of the first panel, for handles; those after it are ``figure_2``, ``figure_3``."""
 WIDTH, HEIGHT = 400.0, 290.0
-"""View box of a plot and of SVG; a picture is as wide, and as high as its shape says."""
+"""View box of a plot and of SVG; a picture has the same width, and the height of its shape."""
 COARSE = 100
 """A picture with fewer columns than this shows its pixels as squares."""
 BEYOND_WHITE = 2.0
@@ -52,43 +52,46 @@ def figure[**P](
 ) -> Callable[[Callable[P, Drawn]], Callable[P, Drawn]]:
     """Make a scene of the function below: the ``SCENE`` of its module.
 
-    An argument whose default is a control is a setting; one that is not drawn may begin with an
-    underscore, which is no part of the setting's name. An argument without gets the output of the
-    stage of its name. A stage may be a plain function, which reads earlier stages, then settings.
-    ``more`` are further fields of `Scene`. The function itself stays as it is.
+    An argument whose default is a control is a setting; its name may begin with an underscore if
+    the function does not use it, which is no part of the setting's name. An argument without a
+    default gets the output of the stage of its name. A stage may be a plain function, which reads
+    earlier stages, then settings. ``more`` are further fields of `Scene`. The function itself stays
+    as it is.
     """
     if not isinstance(title, str):
         raise TypeError("@figure without a title; legal: @figure('A Title')")
 
-    def made(function: Callable[P, Drawn]) -> Callable[P, Drawn]:
+    def make_scene(function: Callable[P, Drawn]) -> Callable[P, Drawn]:
         arguments = signature(function, eval_str=True).parameters.values()
-        module, own_name, steps = function.__module__, function.__name__, list[Stage]()
-        asked = {each.name.removeprefix("_"): each for each in arguments if _is_setting(each)}
-        entries = [(name, _kind(each), each.default) for name, each in asked.items()]
-        settings = make_dataclass("Settings", entries, frozen=True, slots=True, module=module)
+        module, name, steps = function.__module__, function.__name__, list[Stage]()
+        inputs = {item.name.removeprefix("_"): item for item in arguments if _is_setting(item)}
+        entries = [(key, _kind(item), item.default) for key, item in inputs.items()]
+        kind = make_dataclass("Settings", entries, frozen=True, slots=True, module=module)
         for step in stages:
-            steps.append(_stage(step, [each.name for each in steps]))
-        taken = [each.name for each in arguments if not _is_setting(each)]
-        for name in taken:
-            if name not in [step.name for step in steps]:
+            steps.append(_stage(step, [earlier.name for earlier in steps]))
+        stage_names = [item.name for item in arguments if not _is_setting(item)]
+        for stage_name in stage_names:
+            if stage_name not in [step.name for step in steps]:
                 legal = "slider(…) or another control as its default, or a stage of its name"
-                raise TypeError(f"argument {name!r} of a figure is no setting; legal: {legal}")
+                raise TypeError(
+                    f"argument {stage_name!r} of a figure is no setting; legal: {legal}"
+                )
         known = vars(sys.modules[module]).get("SCENE")
-        if getattr(known and known.draw, "__name__", own_name) != own_name:
-            raise TypeError(f"{own_name!r} is a second figure; legal: one in a file")
+        if getattr(known and known.draw, "__name__", name) != name:
+            raise TypeError(f"{name!r} is a second figure; legal: one in a file")
 
         @wraps(function)
-        def draw(given: object, outputs: Outputs) -> Frame:
-            read = {name: outputs[name] for name in taken}
-            read |= {asked[name].name: value for name, value in values_of(given).items()}
-            return _frame(cast(Any, function)(**read), _settings_sentence(title, given))
+        def draw(settings: object, outputs: Outputs) -> Frame:
+            values = {key: outputs[key] for key in stage_names}
+            values |= {inputs[key].name: value for key, value in values_of(settings).items()}
+            return _frame(cast(Any, function)(**values), _settings_sentence(title, settings))
 
-        own = module.removesuffix(".scene").rpartition(".")[2].replace("_", "-")
-        scene = Scene(own, title, settings, draw, tuple(steps), tuple(handles), **more)
+        scene_id = module.removesuffix(".scene").rpartition(".")[2].replace("_", "-")
+        scene = Scene(scene_id, title, kind, draw, tuple(steps), tuple(handles), **more)
         vars(sys.modules[module])["SCENE"] = scene
         return function
 
-    return made
+    return make_scene
 
 
 def _is_setting(argument: Parameter) -> bool:
@@ -98,7 +101,7 @@ def _is_setting(argument: Parameter) -> bool:
 def _kind(argument: Parameter) -> type:
     """Its annotation; without one, the first type of its control."""
     if argument.annotation is Parameter.empty:
-        return cast(type, argument.default.metadata["control"](argument.name).types[0])
+        return cast(type, argument.default.metadata["control"](name=argument.name).types[0])
     return cast(type, argument.annotation)
 
 
@@ -109,7 +112,7 @@ def _stage(step: Stage | Callable[..., Any], before: Sequence[str]) -> Stage:
     return Stage(step.__name__, step, tuple(after))
 
 
-def _frame(drawn: Drawn, told: str) -> Frame:
+def _frame(drawn: Drawn, sentence: str) -> Frame:
     parts = drawn if isinstance(drawn, tuple) else (drawn,)
     panels: list[Panel] = []
     for part in parts:
@@ -136,9 +139,9 @@ def _frame(drawn: Drawn, told: str) -> Frame:
                 raise TypeError(f"the figure returned {type(part).__name__}; legal: {legal}")
     readouts = tuple(part for part in parts if isinstance(part, Readout))
     sound = next((part for part in parts if isinstance(part, Sound)), None)
-    said = [part for part in parts if isinstance(part, str) and not part.startswith("<")]
-    numbers = (f"{each.label}: {each.text} {each.unit}".strip() + "." for each in readouts)
-    return Frame(tuple(panels), readouts, " ".join(said or [told, *numbers]), sound=sound)
+    sentences = [part for part in parts if isinstance(part, str) and not part.startswith("<")]
+    numbers = (f"{item.label}: {item.text} {item.unit}".strip() + "." for item in readouts)
+    return Frame(tuple(panels), readouts, " ".join(sentences or [sentence, *numbers]), sound=sound)
 
 
 def _picture(name: str, picture: NDArray[Any]) -> Panel:
@@ -155,6 +158,9 @@ def _picture(name: str, picture: NDArray[Any]) -> Panel:
 def _settings_sentence(title: str, settings: object) -> str:
     """``A Travelling Wave: Time 1.00 s, Wavelength 2.0 m.``"""
     values = values_of(settings)
-    controls = (each for each in controls_of(type(settings)) if not isinstance(each, Action))
-    said = (" ".join((each.label, *each.text(values[each.name]))).strip() for each in controls)
-    return f"{title}: {', '.join(said)}."
+    parts = (
+        " ".join((control.label, *control.text(values[control.name]))).strip()
+        for control in controls_of(type(settings))
+        if not isinstance(control, Action)
+    )
+    return f"{title}: {', '.join(parts)}."

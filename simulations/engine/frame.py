@@ -45,7 +45,7 @@ class Panel:
     pixelated: bool = False
     """Show the raster's pixels as squares instead of smoothing them."""
     lead: bool = False
-    """Whether the figure is above all this panel: it comes first, and larger than the others."""
+    """Whether this is the main panel of the figure: the first, larger than the others."""
 
     def __post_init__(self) -> None:
         raster = self.raster
@@ -84,13 +84,13 @@ class Readout:
     unit: str = ""
     _: KW_ONLY
     role: str = ""
-    """One of `ROLES`, or a colour of the book's own: the idea that the number belongs to."""
+    """One of `ROLES`, or a colour that the book defines: the idea that the number belongs to."""
 
     def __post_init__(self) -> None:
         for name in ("label", "text", "unit"):
-            if not isinstance(given := getattr(self, name), str):
-                said = f"readout {self.name!r}: {name} {type(given).__name__}"
-                raise TypeError(f"{said}; legal: a str, as by readout()")
+            if not isinstance(value := getattr(self, name), str):
+                found = f"readout {self.name!r}: {name} {type(value).__name__}"
+                raise TypeError(f"{found}; legal: a str, as by readout()")
         if not is_role(self.role):
             raise ValueError(f"readout {self.name!r}: role {self.role!r}; legal: small letters")
 
@@ -143,7 +143,7 @@ class StageReport:
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """Everything that a figure shows for one setting of its controls."""
+    """The content of a figure for one setting of its controls."""
 
     panels: tuple[Panel, ...]
     readouts: tuple[Readout, ...]
@@ -265,7 +265,7 @@ def power_of_ten(exponent: int) -> str:
 
 
 def content(frame: Frame) -> tuple[object, ...]:
-    """All that a frame shows and plays, so that two can be compared; not how it was computed."""
+    """The pixels, texts and sounds of a frame, to compare two of them; not how it was computed."""
     rasters = [panel.raster for panel in frame.panels if panel.raster is not None]
     pixels = [(raster.shape, raster.tobytes()) for raster in rasters]
     samples = frame.sound and frame.sound.samples.tobytes()

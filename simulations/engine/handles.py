@@ -1,4 +1,4 @@
-"""Handles: things in a picture that can be grabbed and dragged.
+"""Handles: marks in a picture that can be grabbed and dragged.
 
     def point_at(settings: Settings, _outputs: Outputs) -> Point:
         return (20 * settings.x, 30)
@@ -8,7 +8,7 @@
 ``at`` is the place of the handle at the given settings. The engine searches the one setting that
 a handle drives for the value that brings it nearest to the pointer. ``pull`` replaces the search
 where it would not do: for two settings, for angles that wrap, and where ``at`` depends on a stage
-that takes long. It returns the settings that would bring the thing to a place, as if there were no
+that takes long. It returns the settings that would bring the handle to a place, as if there were no
 limits; the engine clamps and rounds them to the steps of the controls. The page, the keyboard and
 the tests all use these functions.
 """
@@ -33,7 +33,7 @@ type Point = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Handle[S]:
-    """A thing in a panel that can be grabbed. ``S`` is the dataclass of the scene's settings."""
+    """A mark in a panel that can be grabbed. ``S`` is the dataclass of the scene's settings."""
 
     name: str
     """Identifier, unique in the scene."""
@@ -57,7 +57,8 @@ class Handle[S]:
     there; without a mark by dragging from anywhere, which moves it by the same distance; or by
     pressing at a place."""
     role: str = ""
-    """One of `simulations.engine.frame.ROLES`, or a colour of the book's own: that of its mark."""
+    """One of `simulations.engine.frame.ROLES`, or a colour that the book defines: the colour of its
+    mark."""
     reversed: tuple[str, ...] = ()
     """Settings that move it left or down as they increase: their arrow keys are reversed."""
     step: Callable[[S, Outputs], float] | None = None
@@ -96,15 +97,15 @@ def values_at_place(
     settings: object,
     place: Point,
     controls: tuple[Control, ...],
-    shown: Mapping[str, object],
+    context: Mapping[str, object],
     outputs_at: Callable[[Any], Outputs],
 ) -> dict[str, Value]:
     """The values that bring ``handle`` as near to ``place`` as the controls allow.
 
-    ``shown`` has what a pull may take by name: see `Handle.pull`. ``outputs_at`` computes the
-    outputs of the stages at other settings, for the search.
-    A setting stays as it is if its new value is NaN or infinite. Raises `ValueError` for a place
-    that is not finite, and for a pull that changes settings other than ``drives``.
+    ``context`` holds further arguments of a pull by name: see `Handle.pull`. ``outputs_at``
+    computes the outputs of the stages at other settings, for the search. A setting stays as it is
+    if its new value is NaN or infinite. Raises `ValueError` for a place that is not finite, and for
+    a pull that changes settings other than ``drives``.
     """
     if not all(map(math.isfinite, place)):
         raise ValueError(f"handle {handle.name!r}: place {place}; legal: finite numbers")
@@ -113,20 +114,21 @@ def values_at_place(
         control = by_name[handle.drives[0]]
         return {control.name: _nearest_value(handle, settings, place, control, outputs_at)}
     values: dict[str, Value] = {}
-    asked = inspect.signature(handle.pull).parameters
-    given = handle.pull(settings, place, **{key: shown[key] for key in shown if key in asked})
-    if not isinstance(given, Mapping):
+    parameters = inspect.signature(handle.pull).parameters
+    extra = {name: value for name, value in context.items() if name in parameters}
+    pulled = handle.pull(settings, place, **extra)
+    if not isinstance(pulled, Mapping):
         legal = ", ".join(f"{name!r}: …" for name in handle.drives)
-        raise TypeError(f"handle {handle.name!r}: pull returns {given!r}; legal: {{{legal}}}")
-    for name, wanted in given.items():
+        raise TypeError(f"handle {handle.name!r}: pull returns {pulled!r}; legal: {{{legal}}}")
+    for name, value in pulled.items():
         if name not in handle.drives:
             legal = ", ".join(handle.drives)
             raise ValueError(f"handle {handle.name!r}: a pull changes {name!r}; legal: {legal}")
         control = by_name[name]
         if not isinstance(control, Slider):
-            values[name] = control.clamp(wanted)
-        elif not math.isnan(float(wanted)):
-            values[name] = control.nearest(float(wanted))
+            values[name] = control.clamp(value)
+        elif not math.isnan(float(value)):
+            values[name] = control.nearest(float(value))
     return values
 
 
@@ -147,8 +149,8 @@ def _nearest_value(
 
     def rank(value: Value) -> tuple[float, float]:
         if value not in distances:
-            whole = isinstance(here, int) and isinstance(value, float) and value.is_integer()
-            other = replace(settings, **{control.name: int(value) if whole else value})
+            is_int = isinstance(here, int) and isinstance(value, float) and value.is_integer()
+            other = replace(settings, **{control.name: int(value) if is_int else value})
             at = handle.at(other, outputs_at(other))
             near = at is not None and all(map(math.isfinite, at))
             distances[value] = round(math.dist(at, place), 6) if at and near else math.inf
@@ -174,14 +176,14 @@ def _is_point(place: object) -> bool:
 
 
 def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) -> list[str]:
-    """Messages on what is wrong with the handles of a scene."""
+    """Messages about mistakes in the handles of a scene."""
     names = [handle.name for handle in handles]
-    wide = [handle.panel for handle in handles if handle.reach != "mark"]
+    grabbed = [handle.panel for handle in handles if handle.reach != "mark"]
     found = [f"two handles named {name!r}" for name in names if names.count(name) > 1]
     found += [
         f"two handles that the whole of panel {panel!r} moves; legal: one"
-        for panel in wide
-        if wide.count(panel) > 1
+        for panel in grabbed
+        if grabbed.count(panel) > 1
     ]
     legal = [control.name for control in controls if control.kind in ("slider", "choice", "points")]
     lists = [control.name for control in controls if control.kind == "points"]

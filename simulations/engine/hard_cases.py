@@ -1,12 +1,12 @@
 """Hard cases of models: questions at the edge of a model's domain, read from tables in TOML.
 
-A table, ``hard_cases/rotations.toml``, says what its expressions use, and lists the cases::
+A table, ``hard_cases/rotations.toml``, names what its expressions use, and lists the cases::
 
     title = "Rotations and quaternions"
     names = [
-      "simulations.models.geometry.rotations:*",      # every name of the module,
-      "simulations.models.geometry.rotations:slerp",  # one of them,
-      "simulations.models.geometry.euler",            # or the module itself
+      "simulations.models.geometry.rotations:*",      # every name of a module
+      "simulations.models.geometry.rotations:slerp",  # a single name
+      "simulations.models.geometry.euler",            # the module itself
     ]
 
     [objects]                                         # expressions, evaluated in order
@@ -38,7 +38,7 @@ ROUNDING = 1e-13
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HardCase:
-    """A question at the edge of a model's domain, and what answers it."""
+    """A question at the edge of a model's domain, with its answers."""
 
     id: str
     call: str
@@ -69,7 +69,7 @@ class HardCases:
 
 
 def read_table(table_id: str, text: str) -> HardCases:
-    """The table ``text``. Mistakes in it raise whatever Python says of them."""
+    """The table ``text``. Mistakes in it raise Python's exceptions."""
     return table_of(table_id, tomllib.loads(text))
 
 

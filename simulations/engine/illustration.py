@@ -15,7 +15,7 @@ LATER = re.compile(r'class="step-(\d+)"')
 
 
 def in_steps(first: Iterable[str], *later: Iterable[str]) -> str:
-    """Marks that appear one part after the other, as the reader asks for them."""
+    """Marks that appear one part after the other, when the reader presses a button."""
     parts = (group(marks, f"step-{step}") for step, marks in enumerate(later, start=2))
     return "".join([*first, *parts])
 
@@ -31,7 +31,7 @@ class Illustration:
 
     @property
     def steps(self) -> int:
-        """How many steps the drawings have; 1 where all appears at once."""
+        """Count of steps of the drawings; 1 if all appears at once."""
         found = (LATER.findall(panel.overlay) for panel in self.panels)
         return max([1, *(int(step) for steps in found for step in steps)])
 

@@ -1,4 +1,4 @@
-"""Instrument: what a scene does with the reader's own pictures, and what it gives away."""
+"""Instrument: a scene's use of the reader's photographs, and the files that it exports."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,12 +16,12 @@ class Instrument[S]:
 
     photograph: tuple[int, int] | Whole | None = None
     """Size of the reader's own picture, the parameter ``photograph``, which stages use in place of
-    the book's: width and height in px to which it is cut, or whole; ``None`` if the scene takes
-    none. In a scene with `read` it is the one of the reader's pictures that is looked at."""
+    the book's: width and height in px to which it is cropped, or `Whole`; ``None`` if the scene
+    takes none. In a scene with `read` it is the reader's picture that is selected."""
     read: Callable[[Photograph], Mapping[str, Any]] | None = None
-    """Finds in one photograph of up to 24 megapixels what is kept of it: JSON values, which stages
-    get as ``readings``. Raises `simulations.engine.reading.UnfitError` for one that cannot be used.
-    It runs in an interpreter of its own and may take seconds."""
+    """Measures one photograph of up to 24 megapixels. Returns JSON values, which stages get as
+    ``readings``. Raises `simulations.engine.reading.UnfitError` for one that cannot be used.
+    It runs in a separate interpreter and may take seconds."""
     samples: Mapping[str, Callable[[], Codes]] = field(default_factory=dict)
     """Simulated photographs to try an instrument with, (H, W, 3) or grey (H, W, 1) sRGB, by the
     names of their files, which may state the truth."""
@@ -32,13 +32,13 @@ class Instrument[S]:
     """Files to save, a button each."""
     sheet: Callable[[S, Outputs], tuple[Readout, ...]] | None = None
     """The lines of the data sheet, what was measured of the reader's camera, with errors: first the
-    main one, then three that say how it was measured."""
+    main result, then three about how it was measured."""
     measured: Callable[[Outputs], Sequence[int]] | None = None
     """Numbers of the readings that the lines are of, for a scene that may leave some out."""
 
     @property
     def measures_photographs(self) -> bool:
-        """Whether it works on whole photographs of the reader's."""
+        """Whether it works on the reader's whole photographs."""
         return self.read is not None or isinstance(self.photograph, Whole)
 
     @property
@@ -47,7 +47,7 @@ class Instrument[S]:
         return isinstance(self.photograph, Whole) and self.photograph.mosaic
 
     def mistakes(self) -> Iterator[str]:
-        """What contradicts itself, a sentence each."""
+        """Messages about contradictions."""
         if self.develop and not (self.photograph or self.read):
             yield "it develops no photograph; legal: with 'photograph' or 'read'"
         names = [export.name for export in self.exports]
@@ -56,4 +56,4 @@ class Instrument[S]:
 
 
 NO_INSTRUMENT: Instrument[Any] = Instrument()
-"""Of a scene that takes no pictures and makes no files."""
+"""For a scene that takes no pictures and makes no files."""

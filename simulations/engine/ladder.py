@@ -66,7 +66,7 @@ class Ladder:
     """What is counted."""
     draw: Callable[[int], Any] | None = None
     """Makes a workload of the same kind with another seed, and another picture, angle or setting.
-    What is said of the errors has to hold over `DRAWS` of them."""
+    Statements about the errors have to hold over `DRAWS` of them."""
     sampled: tuple[str, ...] = ()
     """Tiers whose error is the noise of a finite sample, which more work averages out. Their
     efficiency is relative to the first."""

@@ -1,7 +1,7 @@
 """Widths of words, for grounds of labels and for placing labels without overlap.
 
-They are those of the book's sans-serif face, rounded to 1/20 of the size of its letters. Sizes in
-view box units are those where a panel is smallest (`static/css/overlay.css`).
+The widths are from the book's sans-serif face, rounded to 1/20 of the size of its letters. Sizes
+in view box units hold where a panel is smallest (`static/css/overlay.css`).
 """
 
 import functools

@@ -26,7 +26,7 @@ class Whole:
     most_megapixels: float = 24.0
     """Photographs of more pixels are scaled down to as many."""
     mosaic: bool = False
-    """Whether `read` wants the cells of raw files. These photographs' pictures are small."""
+    """Whether `read` takes the cells of raw files. The pictures of these photographs are small."""
 
     def __post_init__(self) -> None:
         if not 0.0 < self.most_megapixels <= MOST_MEGAPIXELS:
@@ -36,14 +36,14 @@ class Whole:
 
 @dataclass(frozen=True, slots=True)
 class Mosaic:
-    """What the cells of a sensor behind a Bayer filter counted, as a raw file has it."""
+    """The codes of a sensor's cells behind a Bayer filter, from a raw file."""
 
     codes: CellCodes
     """(H, W) in proportion to the light above ``black``, as the sensor lies."""
     colours: str
     """Letters of the four cells of a quad, row by row: ``RGGB``."""
     black: tuple[float, float, float, float]
-    """Code without light of each of these."""
+    """Code without light for each colour."""
     white: int
     """Largest code."""
 
@@ -67,7 +67,7 @@ class Photograph:
     name: str = field(default="", compare=False)
     """Name of the file."""
     facts: Facts = field(default_factory=dict, compare=False)
-    """What is known of the file: ``full_width`` and ``full_height`` in px, upright, before it was
+    """Facts about the file: ``full_width`` and ``full_height`` in px, upright, before it was
     scaled down; and from EXIF, where given, ``focal_mm``, ``focal_35mm_mm``, ``make``, ``model``,
     ``lens``, ``exposure_s``, ``f_number`` and ``iso``; and ``raw`` of a raw file."""
     mosaic: Mosaic | None = field(default=None, compare=False, repr=False)
@@ -89,18 +89,18 @@ def photograph_from_page(picture: Any) -> Photograph:
 
     Its fields are ``number``, ``name``, ``width`` and ``height``, the ``full_width`` and
     ``full_height`` before it was scaled down, ``draw``, which fills an array with its codes, and
-    ``head``, the first bytes of the file; those of a raw file also ``facts``, JSON in place of the
-    head's, and where wanted ``mosaic``.
+    ``head``, the first bytes of the file. A raw file also has ``facts``, JSON in place of the Exif
+    data, and, if the scene reads it, ``mosaic``.
     """
     codes = np.empty((picture.height, picture.width, 3), np.uint8)
     picture.draw(codes)
     full = {"full_width": picture.full_width, "full_height": picture.full_height}
-    told = getattr(picture, "facts", None)
+    raw_facts = getattr(picture, "facts", None)
     return Photograph(
         picture.number,
         codes,
         picture.name,
-        {**(json.loads(told) if told else exif_facts(picture.head.to_bytes())), **full},
+        {**(json.loads(raw_facts) if raw_facts else exif_facts(picture.head.to_bytes())), **full},
         _mosaic(getattr(picture, "mosaic", None)),
     )
 

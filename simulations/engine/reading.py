@@ -1,4 +1,4 @@
-"""What figures find in the reader's photographs and keep of them.
+"""Readings: the measurements that a figure keeps of the reader's photographs.
 
 Instruments work on many photographs, of which only one at a time fits into the memory. So each is
 read once, at full resolution, by the scene's `read`; what it returns is kept, and the stages take
@@ -20,14 +20,14 @@ class UnfitError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """What is kept of one photograph."""
+    """The measurements of one photograph."""
 
     number: int
     """Stages compare by it; the `Photograph` of the same picture has the same number."""
     name: str = field(default="", compare=False)
     """Name of the file."""
     data: Mapping[str, Any] = field(default_factory=dict, compare=False)
-    """What `read` returned: JSON values only."""
+    """The result of `read`: JSON values only."""
 
 
 type Readings = tuple[Reading, ...]

@@ -1,4 +1,4 @@
-"""The scene: the interface between a figure and everything that shows it."""
+"""The scene: the Python of a figure, for the page, notebooks and tests."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import KW_ONLY, dataclass, field, replace
@@ -14,8 +14,8 @@ from simulations.engine.reading import Readings
 from simulations.engine.settings import check_settings, clamp_settings, controls_of, values_of
 from simulations.engine.stages import LazyOutputs, Outputs, Parameter, Run, Stage, StageCache, run
 
-OWN = ("photograph", "readings")
-"""Names of the reader's own pictures among the parameters of stages."""
+READERS = ("photograph", "readings")
+"""Names of the reader's pictures among the parameters of stages."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class Scene[S]:
     _: KW_ONLY
     """The levels at which it can be computed, and the error of each."""
     instrument: Instrument[S] = NO_INSTRUMENT
-    """What it does with the reader's own pictures, and what it gives away."""
+    """Its use of the reader's photographs, and the files that it exports."""
     parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None
     """Computes further parameters of the stages from the settings and the level; they may replace a
     setting. If it returns ``None``, no stage runs and none is reported."""
@@ -88,7 +88,7 @@ class Scene[S]:
     ) -> Run:
         """Run the stages at the level named ``tier``; an unknown one means the default.
 
-        The outputs include the reader's own pictures as ``photograph`` and ``readings``, for
+        The outputs include the reader's pictures as ``photograph`` and ``readings``, for
         descriptions of the frame.
         """
         level = self.accuracy.level(tier)
@@ -103,8 +103,8 @@ class Scene[S]:
             **extra,
         }
         done = run(self.stages, read, cache)
-        own = {"photograph": photograph, "readings": readings}
-        return replace(done, outputs={**done.outputs, **own})
+        readers = {"photograph": photograph, "readings": readings}
+        return replace(done, outputs={**done.outputs, **readers})
 
     def render(
         self,
@@ -144,14 +144,14 @@ class Scene[S]:
             return dict(self.sets[handle](settings, done.outputs))
         if handle not in by_name:
             raise KeyError(f"handle {handle!r}; legal: {', '.join(by_name) or 'none'}")
-        shown = {**self.accuracy.level(tier).parameters, "photograph": photograph}
+        context = {**self.accuracy.level(tier).parameters, "photograph": photograph}
         entries = cache.entries if cache else {}  # a copy: the search must not displace outputs
         cache = StageCache(entries={name: dict(found) for name, found in entries.items()})
 
         def outputs_at(other: S) -> Outputs:
             return LazyOutputs(lambda: self.run(other, tier, cache, photograph, readings).outputs)
 
-        return values_at_place(by_name[handle], settings, place, self.controls, shown, outputs_at)
+        return values_at_place(by_name[handle], settings, place, self.controls, context, outputs_at)
 
     def estimates(
         self,
@@ -166,8 +166,8 @@ class Scene[S]:
         none if it estimates neither."""
         if self.accuracy.estimate is not None:
             outputs = self.run(settings, tier, cache, photograph, readings).outputs
-            judged = str(self.accuracy.level(tier).parameters["tier"])
-            yield from self.accuracy.estimate(settings, outputs, judged)
+            name = str(self.accuracy.level(tier).parameters["tier"])
+            yield from self.accuracy.estimate(settings, outputs, name)
         if self.times is not None and clock:
             yield from self.times(settings, clock)
 
@@ -189,7 +189,7 @@ class Scene[S]:
 
     def _wrong_reader_pictures(self) -> Iterator[str]:
         for control in self.controls:
-            if control.name in OWN:
+            if control.name in READERS:
                 yield f"setting {control.name!r} has the name of the reader's; legal: another name"
         if self.instrument.read and not any("readings" in stage.reads for stage in self.stages):
             yield "no stage reads what `read` finds; legal: one that takes 'readings'"

@@ -52,7 +52,7 @@ def _control(entry: Field[Any]) -> Control:
     make = entry.metadata.get("control")
     if make is None:
         raise TypeError(f"setting {entry.name!r} has no control; legal: {', '.join(KINDS)}")
-    control: Control = make(entry.name)
+    control: Control = make(name=entry.name)
     legal: tuple[type, ...] = control.types
     if entry.type not in legal:
         names = " or ".join(kind.__name__ for kind in legal)

@@ -19,7 +19,7 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Readings
 
 type Parameter = Value | Photograph | Readings | None
-"""A value that a stage may read: a setting, the tier, or the reader's own pictures."""
+"""A value that a stage may read: a setting, the tier, or the reader's pictures."""
 type Key = tuple[str, tuple[tuple[str, Parameter], ...], tuple[Key, ...]]
 """A stage's name, the parameters that it read, and the keys of its inputs."""
 type Outputs = Mapping[str, Any]
@@ -79,8 +79,8 @@ class Stage:
         """Why the stage would change nothing; empty if it would change something."""
         if self.neutral is None:
             return ""
-        given = _selected(self.neutral, parameters, f"stage {self.name!r}: neutral reads")
-        reason = self.neutral(**given)
+        values = _selected(self.neutral, parameters, f"stage {self.name!r}: neutral reads")
+        reason = self.neutral(**values)
         if not isinstance(reason, str):
             raise TypeError(
                 f"stage {self.name!r}: neutral returns {reason!r}; legal: why, as text, or ''"
@@ -91,8 +91,8 @@ class Stage:
 @lru_cache(maxsize=1024)
 def _arguments(function: Callable[..., Any]) -> tuple[str, ...]:
     """Names of the arguments that have no default."""
-    given = inspect.signature(function).parameters.values()
-    return tuple(item.name for item in given if item.default is inspect.Parameter.empty)
+    parameters = inspect.signature(function).parameters.values()
+    return tuple(item.name for item in parameters if item.default is inspect.Parameter.empty)
 
 
 def _selected(
@@ -108,7 +108,7 @@ class StageCache:
     """The most recent outputs of each stage, for one figure."""
 
     depth: int = 2
-    """Outputs cached per stage: by default one for the draft and one for the settled frame."""
+    """Outputs cached per stage: by default one while something moves and one at rest."""
     entries: dict[str, dict[Key, Any]] = field(default_factory=dict)
     """Stage to key to output, the least recently used first."""
 
@@ -219,7 +219,7 @@ def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Message, ...]:
 
 
 def _changes(stage: Stage, key: Key, cached: Key) -> tuple[str, ...]:
-    """Names of the parameters and inputs that are not what they were."""
+    """Names of the parameters and inputs that have changed."""
     (_, reads, inputs), (_, old_reads, old_inputs) = key, cached
     named_inputs = zip(stage.after, inputs, strict=True)
     return (

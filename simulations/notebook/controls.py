@@ -48,8 +48,8 @@ def mover(action: Action, control: Slider, slider: Widget) -> Widget:
     play = widgets.Play(max=steps, interval=1000 // STEPS_PER_SECOND)
 
     def move(change: dict[str, int]) -> None:
-        way = control.maximum - control.minimum
-        slider.value = control.nearest(control.minimum + way * change["new"] / steps)
+        span = control.maximum - control.minimum
+        slider.value = control.nearest(control.minimum + span * change["new"] / steps)
 
     play.observe(move, "value")
     return widgets.HBox([widgets.Label(action.label), play])
@@ -68,7 +68,7 @@ def _slider(control: Slider, start: Value) -> Widget:
 
 
 def label_options(label: str) -> dict[str, object]:
-    """What widgets with a label share."""
+    """Options of all widgets with a label."""
     return {
         "description": label,
         "style": {"description_width": "40%"},
@@ -77,7 +77,7 @@ def label_options(label: str) -> dict[str, object]:
 
 
 def _button(action: Action, start: int, changed: Changed) -> Widget:
-    """Its value is the number of presses, modulo that of its labels."""
+    """A button whose value is the number of presses modulo the number of labels."""
     state = start
     made = widgets.Button(description=action.labels[state], layout={"width": "auto"})
 

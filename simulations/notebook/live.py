@@ -31,8 +31,8 @@ TILES = {"grid_template_columns": "repeat(auto-fill, minmax(26em, 1fr))", "grid_
 def figure(
     scene_id: str, /, *, tier: str = "", panels: Sequence[str] = (), **values: object
 ) -> "Figure":
-    """The scene with these values in place of its own, in the accuracy ``tier`` or its usual one,
-    and of its panels those named, or all.
+    """The scene at these values, with defaults for the others, at the level ``tier`` or the default;
+    with the panels of these names, or all.
 
     Raises `UnknownIdError`, and `ControlError` for values that its controls do not have.
     """
@@ -60,11 +60,11 @@ class Figure:
         tiles = widgets.GridBox([*self.widgets.values()], layout=TILES)
         self.player = widgets.Audio(format="wav", autoplay=False, loop=False)
         self._show()
-        heard = [self.player] if self.frame.sound else []
-        self._box = widgets.VBox([self._pictures, tiles, *heard, self._numbers])
+        sound = [self.player] if self.frame.sound else []
+        self._box = widgets.VBox([self._pictures, tiles, *sound, self._numbers])
 
-    def _repr_mimebundle_(self, **asked: object) -> object:
-        return self._box._repr_mimebundle_(**asked)
+    def _repr_mimebundle_(self, **formats: object) -> object:
+        return self._box._repr_mimebundle_(**formats)
 
     @property
     def pictures(self) -> list[str]:
@@ -127,10 +127,10 @@ class Figure:
         self._numbers.value = f"<p>{numbers}</p><p>{escape(self.frame.description)}</p>"
 
 
-def _number(shown: Readout) -> str:
-    value = "<br>".join(map(escape, shown.text.split("\n")))
-    unit = shown.unit if shown.unit == "°" else f" {shown.unit}"
-    return f"{escape(shown.label)} <b>{value}</b>{escape(unit)}".rstrip()
+def _number(item: Readout) -> str:
+    value = "<br>".join(map(escape, item.text.split("\n")))
+    unit = item.unit if item.unit == "°" else f" {item.unit}"
+    return f"{escape(item.label)} <b>{value}</b>{escape(unit)}".rstrip()
 
 
 def _wav(sound: Sound) -> bytes:

@@ -1,4 +1,4 @@
-"""What is in the room that most figures look at: its walls, the still life, furniture, and colours.
+"""Contents of the room that most figures show: walls, still life, furniture, and colours.
 
 World axes: x right, y from the entrance to the wall with the chart, z up, metres.
 """

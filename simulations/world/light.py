@@ -15,7 +15,7 @@ from simulations.world.things import THINGS, Thing
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
-"""Half of the lamp's angular diameter: the sun's is 0.27°, that of a soft box several degrees."""
+"""Half of the lamp's angular diameter: 0.27° for the sun, several degrees for a soft box."""
 LAMP = np.array([0.86, 0.79, 0.68])  # linear RGB of a white surface that faces the lamp
 ROOM = np.array([0.19, 0.22, 0.27])  # light from the surroundings above
 BOUNCE = np.array([0.13, 0.11, 0.085])  # and from the floor below
@@ -63,38 +63,36 @@ def shadow_corners(solid: Sphere | Box, lamp: Vector) -> tuple[Floats, Floats]:
     return shadow_bounds(solid, lamp, LAMP_RADIUS_RAD)
 
 
-def lamp_visibility(
-    points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1
-) -> Floats:
+def lamp_visibility(points: Floats, lamp: Vector, things: Sequence[Thing]) -> Floats:
     """Share (H, W) of the lamp that the things do not hide from points (H, W, 3)."""
-    seen = np.ones(points.shape[:2])
-    for window, place in _penumbras(points, lamp, things, stride):
-        seen[window] *= smooth_ramp(place)
-    return seen
+    share = np.ones(points.shape[:2])
+    for window, place in _penumbras(points, lamp, things):
+        share[window] *= smooth_ramp(place)
+    return share
 
 
 def lamp_penumbra(points: Floats, lamp: Vector, things: Sequence[Thing], beyond: float) -> Floats:
     """Place (H, W) of points in the penumbra of all things, from -``beyond`` to 1 + ``beyond``, of
     which the share of the lamp is the `smooth_ramp`.
 
-    In the penumbra of one thing it is that of the thing. It changes evenly where the light does
-    not, so that a map of it keeps the edges of shadows between its nodes.
+    In the penumbra of one thing it is the place in that penumbra. It changes evenly where the light
+    does not, so that a map of it keeps the edges of shadows between its nodes.
     """
-    seen, least = np.ones(points.shape[:2]), np.full(points.shape[:2], 1 + beyond)
+    share, least = np.ones(points.shape[:2]), np.full(points.shape[:2], 1 + beyond)
     for window, place in _penumbras(points, lamp, things):
-        seen[window] *= smooth_ramp(place)
+        share[window] *= smooth_ramp(place)
         least[window] = np.minimum(least[window], place)
     between = (least > 0) & (least < 1)
-    least[between] = 0.5 - np.sin(np.arcsin(1 - 2 * seen[between]) / 3)  # smooth_ramp's inverse
+    least[between] = 0.5 - np.sin(np.arcsin(1 - 2 * share[between]) / 3)  # smooth_ramp's inverse
     return np.maximum(least, -beyond)
 
 
 def _penumbras(
-    points: Floats, lamp: Vector, things: Sequence[Thing], stride: int = 1
+    points: Floats, lamp: Vector, things: Sequence[Thing]
 ) -> Iterator[tuple[Window, Floats]]:
     """The places in the penumbra of each thing, in the window that its shadow may reach."""
     solids = [thing.solid for thing in things]
     corners = [shadow_corners(solid, lamp) for solid in solids]
-    for solid, near in zip(solids, windows_between(points, corners, stride), strict=True):
+    for solid, near in zip(solids, windows_between(points, corners), strict=True):
         if near is not None:
             yield near, penumbra(solid, points[near], lamp, LAMP_RADIUS_RAD)

@@ -1,4 +1,5 @@
-"""The light on what stands still, computed once: maps of the shares of lamp and surroundings.
+"""The light on everything that does not move, computed once: maps of the shares of lamp and
+surroundings.
 
 A map has nodes on a grid over each surface of the room, and at each node two shares: of the lamp
 and of the surroundings that the other things leave visible. Between the nodes they are bilinear.
@@ -17,7 +18,7 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.soft_shadows import bounding_radius, smooth_ramp
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
-from simulations.world.light import lamp_direction, lamp_penumbra, lamp_visibility, shadow_corners
+from simulations.world.light import lamp_direction, lamp_penumbra, shadow_corners
 from simulations.world.surfaces import sky_visibility, windows_between
 from simulations.world.things import Thing
 from simulations.world.tracing import FACES, NUMBERED, Numbers
@@ -26,8 +27,8 @@ from simulations.world.walls import ALONG
 FINE_M = 0.02
 """Spacing of the nodes on walls and floor."""
 IN_SHADOW, IN_LIGHT = 0.5, 4.0
-"""Spacings on the faces of things, relative to that: where the shadow of another may fall, which
-is sharp so near to it, and where none does."""
+"""Spacings on the faces of things, relative to `FINE_M`: where the shadow of another thing may
+fall, which is sharp so near to it, and where none does."""
 BEYOND = 4.0
 """How far beyond both ends of a penumbra the map goes on, in widths of it."""
 REACH = 3.0
@@ -128,30 +129,6 @@ def from_octahedral(a: Floats, b: Floats) -> Floats:
     return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
-@dataclass(frozen=True, slots=True)
-class TracedLight:
-    """The same shares as in the maps, computed anew at every point."""
-
-    lamp: Vector
-    """Unit vector to it."""
-    bounds: Floats
-    """As in `LightMap`."""
-
-    def on_flat(self, _surface: Numbers, points: Floats, normals: Floats) -> Floats:
-        at = points.T[None]
-        facing = np.broadcast_to(normals.T, at.shape)
-        openness = sky_visibility(at, facing, ROOM, REACH)
-        return np.concatenate([lamp_visibility(at, self.lamp, ROOM), openness])
-
-    on_ball = on_flat
-
-
-def traced_light(light_angle: float) -> TracedLight:
-    """The light of a lamp at an angle in degrees."""
-    lamp = lamp_direction(light_angle)
-    return TracedLight(lamp, _bounds(lamp))
-
-
 def _bounds(lamp: Vector) -> Floats:
     return np.array([shadowed_bounds(wall, lamp) for wall in range(len(WALLS))]).swapaxes(1, 2)
 
@@ -186,23 +163,23 @@ def light_map(light_angle: float, spacing: float = FINE_M) -> LightMap:
 
 
 def _shares(patches: Sequence[Patch], others: Sequence[Thing], lamp: Vector) -> Planes:
-    """Shares (2, nodes) of all nodes of some patches, which the same things may cover."""
+    """Shares (2, nodes) of all nodes of some patches, which the same things may hide."""
     if len(patches) == 1:
         points, normals = patches[0].points, patches[0].normals
     else:
         points, normals = (
-            np.concatenate([each.reshape(-1, 3) for each in arrays])[None]
+            np.concatenate([array.reshape(-1, 3) for array in arrays])[None]
             for arrays in zip(*((patch.points, patch.normals) for patch in patches), strict=True)
         )
     points = _moved_to_sides(points, normals, others)
-    seen = lamp_penumbra(points, lamp, others, BEYOND)
+    penumbra = lamp_penumbra(points, lamp, others, BEYOND)
     openness = sky_visibility(points, normals, others, REACH)
-    return np.stack([seen.ravel(), openness.ravel()]).astype(np.float32)
+    return np.stack([penumbra.ravel(), openness.ravel()]).astype(np.float32)
 
 
 def _moved_to_sides(points: Floats, normals: Floats, others: Sequence[Thing]) -> Floats:
-    """Points on which a box stands are moved to its sides: they are not seen, but the light between
-    them and their neighbours is."""
+    """Points, with those under a box moved to its sides: they are hidden, but the light between
+    them and their neighbours is visible."""
     boxes = [thing.solid for thing in others if isinstance(thing.solid, Box)]
     reach = [bounding_radius(box) * np.ones(3) for box in boxes]
     corners = [
@@ -213,18 +190,18 @@ def _moved_to_sides(points: Floats, normals: Floats, others: Sequence[Thing]) ->
         if window is None:
             continue
         half, axes = np.asarray(box.size) / 2, box.world_to_box
-        own = (points[window] + INSIDE_M * normals[window] - box.centre) @ axes.T
-        inside = (np.abs(own) < half).all(axis=-1)
-        own, count = own[inside], np.arange(int(inside.sum()))
-        side = (half - np.abs(own))[:, :2].argmin(axis=-1)
-        own[count, side] = np.copysign(half[side] + INSIDE_M, own[count, side])
-        moved[window][inside] = own @ axes + box.centre
+        in_box = (points[window] + INSIDE_M * normals[window] - box.centre) @ axes.T
+        inside = (np.abs(in_box) < half).all(axis=-1)
+        in_box, count = in_box[inside], np.arange(int(inside.sum()))
+        side = (half - np.abs(in_box))[:, :2].argmin(axis=-1)
+        in_box[count, side] = np.copysign(half[side] + INSIDE_M, in_box[count, side])
+        moved[window][inside] = in_box @ axes + box.centre
     return moved
 
 
 def shadowed_bounds(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
-    """Bounds (2,), along u and v, of the part of a wall from which a thing may keep light; the rest
-    is as light as the edge of that part."""
+    """Bounds (2,), along u and v, of the part of a wall on which a thing may cast a shadow; the
+    rest is as light as the edge of that part."""
     along, across, place = list(ALONG[wall]), wall // 2, (LOW, HIGH)[wall % 2][wall // 2]
     reached = []
     for solid in (thing.solid for thing in ROOM):

@@ -1,4 +1,4 @@
-"""The room from above: what a plan of it draws."""
+"""Plan of the room: its outlines and things from above."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -44,8 +44,8 @@ def plan_markup(place: Callable[[Floats], Floats], low: drawing.Point, high: dra
 def outlines(
     place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.Point
 ) -> Iterator[Floats]:
-    """The outline (n, 2) of each thing from above as ``place`` takes it to the view box, without
-    what is not from ``low`` to ``high``."""
+    """Outlines (n, 2) of the things from above in the view box, clipped to ``low`` and ``high``;
+    ``place`` takes places (n, 2) to the view box."""
     corners, starts = _corners()
     points = place(corners)
     inside = ((points >= low) & (points <= high)).all(axis=1)
@@ -58,8 +58,8 @@ def outlines(
 @cache
 def _corners() -> tuple[Floats, list[int]]:
     """The corners (n, 2) of all things from above, metres: x and y, and where each begins."""
-    every = [footprint(thing) for thing in ROOM]
-    return np.concatenate(every), [0, *accumulate(len(each) for each in every[:-1])]
+    outlines = [footprint(thing) for thing in ROOM]
+    return np.concatenate(outlines), [0, *accumulate(map(len, outlines[:-1]))]
 
 
 @cache

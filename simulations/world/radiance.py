@@ -1,4 +1,4 @@
-"""The light that comes from what each pixel sees: albedo times the light that arrives there."""
+"""Radiance of the surface at each pixel: its albedo times the light that arrives there."""
 
 import math
 from collections.abc import Callable
@@ -13,7 +13,7 @@ from simulations.models.light.reflectance import blinn_phong
 from simulations.pictures.patterns import NARROWEST, stripes
 from simulations.world import light
 from simulations.world.furniture import BOUNCE, SKY, WALLS
-from simulations.world.light_maps import LightMap, TracedLight
+from simulations.world.light_maps import LightMap
 from simulations.world.surfaces import STRIPES_AXIS
 from simulations.world.things import Thing
 from simulations.world.tracing import (
@@ -28,7 +28,7 @@ from simulations.world.tracing import (
 from simulations.world.walls import ALONG, albedo
 
 LEAST_COSINE = np.float32(1e-3)
-"""Of a surface to a ray; at grazing rays, a pixel is taken to be so much wider, not more."""
+"""Least cosine between a surface's normal and a ray: bounds the width of a pixel's footprint."""
 
 
 @dataclass(frozen=True)
@@ -36,11 +36,11 @@ class Lighting:
     """The light in the room."""
 
     angle: float = 40.0
-    """Of the lamp, degrees."""
+    """Angle of the lamp, degrees."""
     lamp: float = 1.0
-    """How bright the lamp is, relative to the still life's."""
+    """Brightness of the lamp, relative to the still life's."""
     around: float = 1.0
-    """How bright surroundings and window are: dusk is 0.1."""
+    """Brightness of surroundings and window: 0.1 at dusk."""
 
     @cached_property
     def towards(self) -> Planes:
@@ -49,8 +49,8 @@ class Lighting:
 
     @cached_property
     def colours(self) -> Planes:
-        """(4, 3) linear RGB: of the lamp, of the surroundings on an upright surface, what they gain
-        on a level one that faces up, and of the sky in the window."""
+        """(4, 3) linear RGB: the lamp, the surroundings on an upright surface, the gain of a level
+        surface that faces up, and the sky in the window."""
         upright, gain = 0.5 * (light.ROOM + BOUNCE), 0.5 * (light.ROOM - BOUNCE)
         around = self.around * np.stack([upright, gain, SKY])
         return np.stack([self.lamp * light.LAMP, *around]).astype(np.float32)
@@ -58,12 +58,12 @@ class Lighting:
 
 DAY = Lighting()
 NOTHING = 255
-"""The surface of samples that are left black."""
+"""Number of the surface of samples that stay black."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Finish:
-    """How the surfaces of the things look, by the number of the surface."""
+    """Reflectance and geometry of the surfaces, by their number."""
 
     albedo: Planes
     """(3, surfaces) linear RGB."""
@@ -81,10 +81,9 @@ class Finish:
 def surface_finish() -> Finish:
     rows: list[Planes] = [np.zeros(9, np.float32)] * len(WALLS)
     for thing, _ in NUMBERED:
-        one = isinstance(thing.solid, Sphere)
-        radius = thing.solid.radius if isinstance(thing.solid, Sphere) else 1.0
+        radius, faces = (thing.solid.radius, 1) if isinstance(thing.solid, Sphere) else (1.0, 6)
         row = (*thing.albedo, thing.gloss, thing.shininess, *thing.solid.centre, radius)
-        rows += [np.array(row, np.float32)] * (1 if one else 6)
+        rows += [np.array(row, np.float32)] * faces
     table = np.ascontiguousarray(np.stack(rows, axis=1))
     normals = np.zeros((3, table.shape[1]), np.float32)
     normals[:, :FIRST_BALL] = FACES.normals.T
@@ -104,14 +103,15 @@ def normals_of(surface: Surfaces, points: Floats) -> Planes:
     looks = surface_finish()
     normals = looks.normals.take(surface, axis=1)
     ball = surface >= FIRST_BALL
-    own = surface[ball]
-    normals[:, ball] = (points[ball].T - looks.centres.take(own, axis=1)) / looks.radii.take(own)
+    balls = surface[ball]
+    centres = looks.centres.take(balls, axis=1)
+    normals[:, ball] = (points[ball].T - centres) / looks.radii.take(balls)
     return normals
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Samples:
-    """Rays through places of a picture, and what they meet."""
+    """Rays through places of a picture, and the surfaces that they meet."""
 
     camera: Camera
     x: Floats
@@ -137,7 +137,7 @@ class Samples:
         )
 
 
-def radiance(samples: Samples, arriving: LightMap | TracedLight, lighting: Lighting) -> Planes:
+def radiance(samples: Samples, arriving: LightMap, lighting: Lighting) -> Planes:
     """(3, n) linear RGB."""
     light_there = np.zeros((3, samples.surface.size), np.float32)
 
@@ -154,7 +154,7 @@ def radiance(samples: Samples, arriving: LightMap | TracedLight, lighting: Light
 
 
 def _radiance_of_wall(
-    samples: Samples, wall: int, arriving: LightMap | TracedLight, lighting: Lighting
+    samples: Samples, wall: int, arriving: LightMap, lighting: Lighting
 ) -> Planes:
     """(3, n) light from a wall."""
     u, v = ALONG[wall]
@@ -171,19 +171,19 @@ def _radiance_of_wall(
         points = np.zeros((3, at.size), np.float32)
         across.take(at, out=points[u])
         along.take(at, out=points[v])
-        seen, open_ = arriving.on_flat(np.array([wall]), points, normal[:, None])
+        lamp_share, sky_share = arriving.on_flat(np.array([wall]), points, normal[:, None])
         for channel, plane in enumerate(colours):
-            arrives = direct[channel] * seen + around[channel] * open_
-            plane[at] = means[channel].take(at) * arrives
+            arriving_light = direct[channel] * lamp_share + around[channel] * sky_share
+            plane[at] = means[channel].take(at) * arriving_light
     if len(means) > 3:
         colours += sky[:, None] * means[3]
     return colours
 
 
 def _on_wall(samples: Samples, axis: int, wall: int) -> tuple[Floats, Floats]:
-    """A coordinate (n,) of what is seen on a wall, and its change over a pixel; metres.
+    """A coordinate (n,) of the points on a wall, and its change over a pixel; metres.
 
-    The width is that of a box with the variance of the pixel's square along the coordinate.
+    The change is the width of a box with the variance of the pixel's square along the coordinate.
     """
     camera = samples.camera
     face = camera.faces[wall]
@@ -200,9 +200,7 @@ def _on_wall(samples: Samples, axis: int, wall: int) -> tuple[Floats, Floats]:
     return place, wide
 
 
-def _radiance_of_things(
-    samples: Samples, arriving: LightMap | TracedLight, lighting: Lighting
-) -> Planes:
+def _radiance_of_things(samples: Samples, arriving: LightMap, lighting: Lighting) -> Planes:
     """(3, n) light from boxes and balls."""
     looks, surface = surface_finish(), samples.surface.astype(np.intp)
     directions = samples.camera.directions(samples.x, samples.y)
@@ -211,17 +209,17 @@ def _radiance_of_things(
     normals, colours = looks.normals.take(surface, axis=1), looks.albedo.take(surface, axis=1)
     shares, ball = np.empty((2, surface.size), np.float32), surface >= FIRST_BALL
     if (boxes := np.flatnonzero(~ball)).size:
-        met, facing = points.take(boxes, axis=1), normals.take(boxes, axis=1)
-        shares[:, boxes] = arriving.on_flat(surface[boxes], met, facing)
+        hits, facing = points.take(boxes, axis=1), normals.take(boxes, axis=1)
+        shares[:, boxes] = arriving.on_flat(surface[boxes], hits, facing)
     if (balls := np.flatnonzero(ball)).size:
-        round_, met = surface[balls], points.take(balls, axis=1)
-        outwards = (met - looks.centres.take(round_, axis=1)) / looks.radii.take(round_)
+        numbers, hits = surface[balls], points.take(balls, axis=1)
+        outwards = (hits - looks.centres.take(numbers, axis=1)) / looks.radii.take(numbers)
         normals[:, balls] = outwards
-        shares[:, balls] = arriving.on_ball(round_, met, outwards)
+        shares[:, balls] = arriving.on_ball(numbers, hits, outwards)
     for thing, first in NUMBERED:
-        if thing.second_albedo and (own := np.flatnonzero(surface == first)).size:
-            stripes_of = (part.take(own, axis=1) for part in (directions, normals))
-            colours[:, own] = _striped(thing, samples.at(own), *stripes_of)
+        if thing.second_albedo and (at := np.flatnonzero(surface == first)).size:
+            vectors = (part.take(at, axis=1) for part in (directions, normals))
+            colours[:, at] = _striped(thing, samples.at(at), *vectors)
     return _shaded(surface, directions, normals, colours, shares, lighting)
 
 
@@ -258,7 +256,7 @@ def _shaded(
 
 
 def _striped(thing: Thing, samples: Samples, directions: Floats, normals: Floats) -> Planes:
-    """(3, n) colours of a striped ball. A pixel's footprint on it is that on its tangent plane."""
+    """(3, n) colours of a striped ball. A pixel's footprint is computed on the tangent plane."""
     assert isinstance(thing.solid, Sphere)
     assert thing.second_albedo is not None
     axis = STRIPES_AXIS.astype(np.float32)

@@ -1,13 +1,13 @@
-"""The room that most figures look at: still life, furniture, door and window, seen from anywhere.
+"""The room that most figures show: still life, furniture, door and window, from any viewpoint.
 
 World axes: x right, y from the entrance to the wall with the chart, z up, metres. A scene moves a
 camera through it::
 
     raster = photograph(focal_px, look_at(eye, target, (0, 0, 1)), columns)
 
-What does not move is computed once: the colours of the walls are tables of rectangles (`walls`),
-the light on all surfaces is in maps (`light_maps`). A pixel is then one ray (`tracing`) and a few
-look-ups (`radiance`); where neighbours see different surfaces it is the mean of four.
+Everything that does not move is computed once: the colours of the walls are tables of rectangles
+(`walls`), the light on all surfaces is in maps (`light_maps`). A pixel is then one ray (`tracing`)
+and a few look-ups (`radiance`); where neighbours see different surfaces it is the mean of four.
 """
 
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ QUARTERS = np.array([(-0.25, -0.25), (0.25, -0.25), (-0.25, 0.25), (0.25, 0.25)]
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """What each pixel of a camera sees of the room."""
+    """The surface at each pixel of a camera in the room."""
 
     depth: Floats
     """(H, W) metres along the optical axis."""
@@ -62,14 +62,14 @@ class View:
 
 
 def look(K: ArrayLike, world_to_camera: ArrayLike, width: int, height: int) -> View:
-    """What a pinhole camera at a pose (4, 4) sees, in single precision."""
+    """View of a pinhole camera at a pose (4, 4), in single precision."""
     camera, (x, y) = camera_at(K, world_to_camera), pixels(width, height)
-    seen, directions = trace(camera, x, y), camera.directions(x, y)
-    depth = 1 / seen.nearness
+    hits, directions = trace(camera, x, y), camera.directions(x, y)
+    depth = 1 / hits.nearness
     points = np.moveaxis(directions * depth, 0, -1) + camera.eye.astype(np.float32)
     to_eye = np.moveaxis(-directions / np.linalg.norm(directions, axis=0), 0, -1)
-    normals = np.moveaxis(normals_of(seen.surface, points), 0, -1)
-    return View(depth, points, normals, to_eye, PARTS.take(seen.surface))
+    normals = np.moveaxis(normals_of(hits.surface, points), 0, -1)
+    return View(depth, points, normals, to_eye, PARTS.take(hits.surface))
 
 
 def photograph(focal: float, world_to_camera: ArrayLike, columns: int) -> Raster:
@@ -90,7 +90,7 @@ def light_of(
     lighting: Lighting = DAY,
     spacing: float = FINE_M,
 ) -> Planes:
-    """(3, H, W) linear RGB of what a pinhole camera at a pose (4, 4) sees, with smooth edges."""
+    """(3, H, W) linear RGB of the view of a pinhole camera at a pose (4, 4), with smooth edges."""
     camera = camera_at(K, world_to_camera)
     whole, edges = samples_of(camera, width, height)
     colours = radiance(whole, light_map(lighting.angle, spacing), lighting)
@@ -102,8 +102,8 @@ def light_of(
 
 
 def samples_of(camera: Camera, width: int, height: int) -> tuple[Samples, Numbers]:
-    """The pixels of a picture and, behind them, four quarters of each of those (n,) that are at an
-    edge: of them, the whole pixels see nothing."""
+    """The pixels of a picture and, behind them, the four quarters of each pixel (n,) at an edge;
+    the surface of these pixels is `NOTHING`."""
     x, y = pixels(width, height)
     seen = trace(camera, x, y)
     edges = np.flatnonzero(_edges(seen.surface))

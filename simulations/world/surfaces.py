@@ -49,7 +49,7 @@ SKIRTING = np.array([0.62, 0.60, 0.56])
 WALL_PLANE = ((0.0, WALL_DISTANCE, 0.0), (0.0, -1.0, 0.0))
 FLOOR_PLANE = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))  # a point of the plane and its normal
 STRIPES_AXIS = np.array([0.42, -0.25, 0.87]) / math.hypot(0.42, -0.25, 0.87)
-"""Of the striped ball, tilted towards the camera."""
+"""Axis of the striped ball, tilted towards the camera."""
 INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
 
 
@@ -65,7 +65,7 @@ class Surface:
     """(h, w, 3) metres, world frame."""
     normals: Floats
     """(h, w, 3) unit; on an edge between two faces of a box, the mean over the pixel, shorter than
-    that."""
+    1."""
     to_eye: Floats
     """(h, w, 3) unit."""
     coverage: Floats
@@ -78,28 +78,28 @@ class Surface:
     """(h, w) metres along the optical axis; one value for a whole thing."""
 
 
-def surfaces(seen: WorldRays) -> tuple[Surface, ...]:
+def surfaces(rays: WorldRays) -> tuple[Surface, ...]:
     """Wall and floor, then the things in view from the farthest to the nearest."""
     ordered = sorted(THINGS, key=thing_depth, reverse=True)
-    found = (_thing_surface(thing, seen) for thing in ordered)
-    return (*_wall_and_floor(seen), *(surface for surface in found if surface is not None))
+    found = (_thing_surface(thing, rays) for thing in ordered)
+    return (*_wall_and_floor(rays), *(surface for surface in found if surface is not None))
 
 
-def _thing_surface(thing: Thing, seen: WorldRays) -> Surface | None:
-    window = _window(thing, seen)
+def _thing_surface(thing: Thing, rays: WorldRays) -> Surface | None:
+    window = _window(thing, rays)
     if window is None:
         return None
-    directions = seen.directions[window]
-    hit = intersect(thing.solid, seen.eye, directions)
-    coverage = _covered(hit.margin, seen.area) * seen.valid[window]
+    directions = rays.directions[window]
+    hit = intersect(thing.solid, rays.eye, directions)
+    coverage = _covered(hit.margin, rays.area) * rays.valid[window]
     if not coverage.any():
         return None
-    points, facing = seen.kept(hit.points), hit.normals
+    points, facing = rays.as_stored(hit.points), hit.normals
     if points is not hit.points and isinstance(thing.solid, Sphere):
         outwards = points - thing.solid.centre
         facing = outwards / np.linalg.norm(outwards, axis=-1, keepdims=True)
-    normals = _mean_normals(thing.solid, seen, directions, facing)
-    albedo, depth = thing_albedo(thing, facing, seen.area), thing_depth(thing) + seen.back
+    normals = _mean_normals(thing.solid, rays, directions, facing)
+    albedo, depth = thing_albedo(thing, facing, rays.area), thing_depth(thing) + rays.back
     openness = sky_visibility(points, facing, THINGS)
     rows, columns = window
     return Surface(
@@ -121,24 +121,24 @@ def _covered(margin: Floats, area: bool) -> Floats:
 
 
 def _mean_normals(
-    solid: Sphere | Box, seen: WorldRays, directions: Floats, normals: Floats
+    solid: Sphere | Box, rays: WorldRays, directions: Floats, normals: Floats
 ) -> Floats:
     """The normals (h, w, 3), where a pixel holds two faces of a box weighted by their areas."""
-    if isinstance(solid, Sphere) or not seen.area:
+    if isinstance(solid, Sphere) or not rays.area:
         return normals
-    margins = face_margins(solid, seen.eye, directions)
+    margins = face_margins(solid, rays.eye, directions)
     shares = np.stack([edge_coverage(margin) for margin in margins])
     axes = solid.world_to_box
     facing = -np.sign(directions @ axes.T)
     return (facing * np.moveaxis(shares / shares.sum(axis=0), 0, -1)) @ axes
 
 
-def _window(thing: Thing, seen: WorldRays) -> Window | None:
+def _window(thing: Thing, rays: WorldRays) -> Window | None:
     """Rows and columns, with a margin, of the pixels whose rays pass near the thing."""
-    to_centre = np.asarray(thing.solid.centre) - seen.eye
+    to_centre = np.asarray(thing.solid.centre) - rays.eye
     distance = float(np.linalg.norm(to_centre))
     spread = math.asin(min(1.0, bounding_radius(thing.solid) / distance))
-    near = (seen.directions @ (to_centre / distance) > math.cos(spread)) & seen.valid
+    near = (rays.directions @ (to_centre / distance) > math.cos(spread)) & rays.valid
     return window_of(near, margin=2)
 
 
@@ -175,19 +175,20 @@ def sky_visibility(
     normals: Floats,
     things: Sequence[Thing],
     reach: float = OCCLUSION_REACH,
-    stride: int = 1,
 ) -> Floats:
     """Share of the surroundings that the things do not hide; boxes count as balls inside them.
 
     A thing hides nothing from points on its own surface, from which its inside is behind."""
     openness = np.ones(points.shape[:2])
-    solids = [thing.solid for thing in things]
     balls = [
-        (np.array(one.centre), one.radius if isinstance(one, Sphere) else 0.6 * min(one.size))
-        for one in solids
+        (
+            np.array(solid.centre),
+            solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size),
+        )
+        for solid in (thing.solid for thing in things)
     ]
     reached = ((at - reach * radius, at + reach * radius) for at, radius in balls)
-    for (centre, radius), near in zip(balls, windows_between(points, reached, stride), strict=True):
+    for (centre, radius), near in zip(balls, windows_between(points, reached), strict=True):
         if near is not None:
             hidden = sphere_occlusion(tuple(centre.tolist()), radius, points[near], normals[near])
             openness[near] *= 1.0 - np.maximum(hidden - reach**-2, 0.0)
@@ -195,52 +196,47 @@ def sky_visibility(
 
 
 def windows_between(
-    points: Floats, corners: Iterable[tuple[Floats, Floats]], stride: int = 1
+    points: Floats, corners: Iterable[tuple[Floats, Floats]]
 ) -> Iterator[Window | None]:
     """Rows and columns of the points (H, W, 3) whose x and y are between two corners (low, high),
-    for each pair. A comparison with the bounds of all points comes first, as it is fast; with a
-    ``stride`` only every so many rows and columns are asked, and the windows are wider by it."""
-    x, y = points[::stride, ::stride, 0].copy(), points[::stride, ::stride, 1].copy()
+    for each pair. A comparison with the bounds of all points comes first, as it is fast."""
+    x, y = points[..., 0].copy(), points[..., 1].copy()
     left, right, front, back = x.min(), x.max(), y.min(), y.max()
     for low, high in corners:
         if right <= low[0] or back <= low[1] or left >= high[0] or front >= high[1]:
             yield None
         else:
-            window = window_of((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
-            yield window and (
-                slice(stride * window[0].start, stride * window[0].stop),
-                slice(stride * window[1].start, stride * window[1].stop),
-            )
+            yield window_of((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
 
 
-def _wall_and_floor(seen: WorldRays) -> tuple[Surface, Surface]:
-    far = _distance((0, WALL_DISTANCE, 0), (0, -1, 0), seen, seen.directions)
-    height = seen.eye[2] + seen.directions[..., 2] * far  # where the ray meets the wall
-    above = _covered(height, seen.area)
-    return _backdrop(seen, WALL_PLANE, above), _backdrop(seen, FLOOR_PLANE, 1.0 - above)
+def _wall_and_floor(rays: WorldRays) -> tuple[Surface, Surface]:
+    far = _distance((0, WALL_DISTANCE, 0), (0, -1, 0), rays, rays.directions)
+    height = rays.eye[2] + rays.directions[..., 2] * far  # where the ray meets the wall
+    above = _covered(height, rays.area)
+    return _backdrop(rays, WALL_PLANE, above), _backdrop(rays, FLOOR_PLANE, 1.0 - above)
 
 
-def _distance(point: Vector, normal: Vector, seen: WorldRays, directions: Floats) -> Floats:
+def _distance(point: Vector, normal: Vector, rays: WorldRays, directions: Floats) -> Floats:
     """Distance to a plane, metres (...); 0 where the plane is not visible."""
-    distance, meets = intersect_plane(point, normal, seen.eye, directions)
+    distance, meets = intersect_plane(point, normal, rays.eye, directions)
     return np.where(meets, distance, 0.0)
 
 
-def _backdrop(seen: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> Surface:
+def _backdrop(rays: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> Surface:
     """A plane, given by a point and its normal, in the rows where it is visible."""
     rows = np.flatnonzero((share > 0).any(1))
     top, bottom = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
     top, bottom = max(top - 1, 0), max(bottom, top + 2)  # patterns need two rows
-    directions = seen.directions[top:bottom]
-    distance = _distance(*plane, seen, directions)
-    points = seen.kept(seen.eye + directions * distance[..., None])
+    directions = rays.directions[top:bottom]
+    distance = _distance(*plane, rays, directions)
+    points = rays.as_stored(rays.eye + directions * distance[..., None])
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
     openness = sky_visibility(points, normals, THINGS)
     if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor in front of it
         away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))
-    coverage = share[top:bottom] * seen.valid[top:bottom]
-    albedo = (floor_albedo if plane is FLOOR_PLANE else wall_albedo)(points, seen.area)
+    coverage = share[top:bottom] * rays.valid[top:bottom]
+    albedo = (floor_albedo if plane is FLOOR_PLANE else wall_albedo)(points, rays.area)
     return Surface(
         thing=None,
         top=top,
@@ -251,7 +247,7 @@ def _backdrop(seen: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> S
         coverage=coverage,
         albedo=albedo,
         openness=openness,
-        depth=depth_along_axis(points) + seen.back,
+        depth=depth_along_axis(points) + rays.back,
     )
 
 

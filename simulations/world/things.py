@@ -77,11 +77,11 @@ class WorldRays:
     area: bool = True
     """Whether a pixel takes the mean over its area, or a sample in its middle."""
     float32_from: float | None = None
-    """Distance of the origin from which float32 counts the places that the rays meet, metres;
-    ``None`` for float64."""
+    """Distance of the origin of float32 coordinates of the hit points, metres; ``None`` for
+    float64."""
 
-    def kept(self, points: Floats) -> Floats:
-        """World points (..., 3) as they are stored."""
+    def as_stored(self, points: Floats) -> Floats:
+        """World points (..., 3), rounded to the precision in which they are stored."""
         if self.float32_from is None:
             return points
         origin = self.float32_from * np.array([0.6, 0.64, 0.48])

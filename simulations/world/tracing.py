@@ -1,4 +1,4 @@
-"""Which surface of the room each pixel sees, and how near it is.
+"""The first surface of the room along the ray of each pixel, and its nearness.
 
 In nearness, the inverse of depth, a plane is linear in the pixel: the ray ``e + Z d`` of pixel
 (x, y) meets ``n · p = h`` where ``1/Z = n · d / (h − n · e)``, and d is linear in x and y. So a
@@ -30,7 +30,7 @@ type Window = tuple[slice, slice | Numbers]
 LEAST_M = 1e-9
 """Least distance of the eye from a plane, so that no nearness is infinite."""
 FARTHEST_M = 1e6
-"""Depth of what no ray meets: outside the room, all directions but those into it."""
+"""Depth of rays that meet nothing: outside the room, all directions except into it."""
 SKEWED = 1e-12
 """Product of the pixel's axes, relative to their squares, from which they are not at right angles.
 """
@@ -131,7 +131,7 @@ def camera_at(K: ArrayLike, world_to_camera: ArrayLike) -> Camera:
 
 @dataclass(frozen=True, slots=True)
 class FirstHits:
-    """What the rays through some places meet first."""
+    """The first surfaces that the rays through some places meet."""
 
     nearness: Planes
     """(H, W) 1/Z, per metre."""

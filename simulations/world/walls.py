@@ -40,7 +40,7 @@ from simulations.world.surfaces import (
 type Painting = Iterator[tuple[Bounds, Floats]]
 
 EVERYWHERE = (-99.0, 99.0)
-"""Of a band: from one end of the wall to the other."""
+"""Extent of a band from one end of the wall to the other."""
 PERIOD_M = {4: 2 * TILE, 5: BEAMS_M}
 """Of the patterns of floor and ceiling along v, which go on behind the entrance."""
 BEHIND_M = 1.5

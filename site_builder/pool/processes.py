@@ -293,14 +293,14 @@ def _pickled_name(function: object) -> bytes:
 
 
 def _entry(each: Any) -> tuple[str, Any, Control]:
-    return each.name, each.type, each.metadata["control"](each.name)
+    return each.name, each.type, each.metadata["control"](name=each.name)
 
 
 def _settings(title: str, entries: Iterable[tuple[str, Any, Control]]) -> type[Any]:
     """A dataclass of settings with these controls."""
 
     def default_field(control: Control) -> Any:
-        return setting(control.default, lambda _name: control)
+        return setting(control.default, lambda **_name: control)
 
     given = [(name, kind, default_field(control)) for name, kind, control in entries]
     return make_dataclass(title, given, frozen=True, slots=True)

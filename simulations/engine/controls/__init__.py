@@ -1,4 +1,4 @@
-"""Controls of a figure: ranges, defaults and labels. Each kind is a class in a folder of its own.
+"""Controls of a figure: ranges, defaults and labels. Each kind is a class in its own folder.
 
     NAME/kind.py    its class, and the function by which a scene states it
     NAME/kind.html  its native element
@@ -26,7 +26,7 @@ from simulations.engine.controls.toggle.kind import Toggle as Toggle
 type Control = Slider | Choice | Toggle | Action | Points
 
 KINDS: tuple[str, ...] = tuple(kind.kind for kind in get_args(Control.__value__))
-"""Their names, which are those of their folders."""
+"""Names of the kinds and of their folders."""
 
 
 def describe(control: Control) -> dict[str, object]:

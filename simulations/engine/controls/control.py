@@ -1,7 +1,8 @@
-"""What all controls share."""
+"""Types and functions for all kinds of controls."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import field
+from typing import Any
 
 type Value = float | int | str | bool
 
@@ -10,8 +11,8 @@ class ControlError(ValueError):
     """An illegal value of a control. The message states the value and what is legal."""
 
 
-def setting(default: Value, control: Callable[[str], object]) -> object:
-    """The field of a dataclass of settings whose control ``control`` makes, given its name."""
+def setting(default: Value, control: Callable[..., object]) -> Any:
+    """The field of a dataclass of settings; ``control(name=…)`` makes its control."""
     return field(default=default, metadata={"control": control})
 
 

@@ -89,7 +89,7 @@ class Label:
     others: Sequence[Point] = ()
     """Alternative points for the label."""
     scale: float = 1.0
-    """Size of its letters, relative to those of a figure."""
+    """Size of its letters, relative to a figure's labels."""
 
     def __post_init__(self) -> None:
         if self.prefer not in SIDES:

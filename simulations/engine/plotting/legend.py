@@ -20,7 +20,7 @@ class Entry:
 
     words: str
     style: str
-    """CSS classes of the sign; the first, the role, is also that of the words."""
+    """CSS classes of the sign; the first, the role, is also the colour of the words."""
     sign: Sign = "line"
     shown: bool = True
     """If not shown, its place stays empty, so that the others do not move."""

@@ -55,7 +55,7 @@ def _style(artist: Any, kind: str, roles: dict[str, str]) -> str:
 
 
 def _marks(artist: Any, kind: str, style: str, plot: Plot, data: Any) -> Iterator[str]:
-    """In units of the data, whatever those of the artist."""
+    """Marks in units of the data, whatever units the artist has."""
     match kind:
         case "Line2D":
             points = (artist.get_transform() - data).transform(artist.get_xydata())

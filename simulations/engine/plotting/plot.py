@@ -53,7 +53,7 @@ class Plot:
     names: tuple[str, str] = ("", "")
     """What x and y are, with units, for a plot that is drawn whole."""
     marks: str = ""
-    """SVG over the axes, likewise."""
+    """SVG over the axes."""
 
     @classmethod
     def of(cls, x: str, across: Values, y: str, up: Values, *, log: str = "") -> Self:

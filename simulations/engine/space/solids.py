@@ -1,4 +1,4 @@
-"""Faces, wires, arrows and points of space, drawn back to front.
+"""Faces, wires, arrows and labels in space, drawn back to front.
 
     drawn([*box_faces, Wire(track, "ray bold"), Arrow(origin, tip, "camera")], VIEW)
 
@@ -54,15 +54,6 @@ class Arrow:
 
 
 @dataclass(frozen=True, slots=True)
-class Dot:
-    """A point."""
-
-    point: ArrayLike
-    style: str
-    radius: float = 4.0
-
-
-@dataclass(frozen=True, slots=True)
 class Words:
     """A label next to a point, drawn in order of depth like the other solids."""
 
@@ -73,7 +64,7 @@ class Words:
     anchor: str = "start"
 
 
-type Solid = Face | Wire | Arrow | Dot | Words
+type Solid = Face | Wire | Arrow | Words
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,7 +116,7 @@ def _points(solid: Solid) -> Points:
             return np.asarray(curve, float)
         case Arrow(start, end):
             return np.stack([np.asarray(start, float), np.asarray(end, float)])
-        case Dot(point) | Words(point):
+        case Words(point):
             return np.asarray(point, float)[None]
 
 
@@ -143,8 +134,6 @@ def _pieces(n: int, solid: Solid, places: list[list[float]]) -> Iterator[_Piece]
             markup = _face(places, role, washes)
         case Arrow(_, _, style, head):
             markup = drawing.arrow(places[0], places[1], style, head)
-        case Dot(_, style, radius):
-            markup = drawing.dot(places[0], style, radius)
         case Words(_, words, style, (right, down), anchor):
             at = (places[0][0] + right, places[0][1] + down)
             markup = drawing.text(at, words, style, anchor)

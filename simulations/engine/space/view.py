@@ -20,7 +20,7 @@ type Points = NDArray[np.floating]
 NEAREST = 0.05
 """Share of the eye's distance. Points closer to the eye than this, or behind it, are not seen."""
 EDGE_ON = 1e-3
-"""Share of its area that a plane shows at least, so that places on it can be told."""
+"""Least visible share of a plane's area for which places on it are computed."""
 UP = (0.0, 0.0, 1.0)
 
 
@@ -74,13 +74,12 @@ class View:
         return u, v
 
 
-def axes_towards(direction: ArrayLike, up: ArrayLike = UP) -> Points:
-    """Axes (3, 3) of a view along a direction, with ``up`` upright; the two must not be
-    parallel."""
+def axes_towards(direction: ArrayLike) -> Points:
+    """Axes (3, 3) of a view along a direction that is not parallel to `UP`, which stays upright."""
     away = -_unit(np.asarray(direction, float))
-    right = np.cross(away, np.asarray(up, float))
+    right = np.cross(away, UP)
     if not np.linalg.norm(right) > 1e-12:
-        raise ValueError("direction and up are parallel; legal: any other direction")
+        raise ValueError("a vertical direction; legal: any other direction")
     right = _unit(right)
     return np.stack([right, np.cross(away, right), away])
 
@@ -99,19 +98,13 @@ def orbit(
     centre: tuple[float, float] = (0.0, 0.0),
     unit: float = 1.0,
     distance: float = math.inf,
-    target: Sequence[float] = (0.0, 0.0, 0.0),
 ) -> View:
     """A view from a direction in degrees, z up: the azimuth from x towards y, and the elevation.
 
     Seen straight from above or below, x points down or up in the panel.
     """
-    return View(
-        orbit_axes(azimuth_deg, elevation_deg),
-        centre,
-        unit,
-        (float(target[0]), float(target[1]), float(target[2])),
-        distance,
-    )
+    axes = orbit_axes(azimuth_deg, elevation_deg)
+    return View(axes, centre, unit, distance=distance)
 
 
 def orbit_axes(azimuth_deg: float, elevation_deg: float, *, z_down: bool = False) -> Points:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import cast
+from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting
 
@@ -86,17 +86,10 @@ def action(
     arrival: bool = False,
 ) -> int:
     """A button, whose value is the number of presses modulo the number of labels."""
-    return cast(
-        int,
-        setting(
-            0,
-            lambda name: Action(
-                name=name,
-                labels=labels,
-                drives=drives,
-                effect=effect,
-                seconds=seconds,
-                arrival=arrival,
-            ),
+    made: int = setting(
+        0,
+        partial(
+            Action, labels=labels, drives=drives, effect=effect, seconds=seconds, arrival=arrival
         ),
     )
+    return made

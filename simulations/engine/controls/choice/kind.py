@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import cast
+from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting, suggestion
 
@@ -56,7 +56,5 @@ def choice(label: str, options: Mapping[str, str], default: str = "") -> str:
     """One of several named options, value to label. The default is the first unless another is
     named."""
     start = default or next(iter(options))
-    made = setting(
-        start, lambda name: Choice(name=name, label=label, default=start, options=options)
-    )
-    return cast(str, made)
+    made: str = setting(start, partial(Choice, label=label, default=start, options=options))
+    return made

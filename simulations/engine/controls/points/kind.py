@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Self, cast
+from functools import partial
+from typing import Self
 
 from simulations.engine.controls.control import ControlError, Value, setting
 
@@ -17,23 +18,23 @@ class PointLists:
     """The value of the control, which is written as ``corner_3;0.1,0.2_0.5,0.6;;``."""
 
     picture: str = ""
-    """Which picture the points lie in: a word of the scene's own."""
+    """Picture in which the points lie: a word that the scene chooses."""
     touched: int = 0
     """Number of the point that was moved last in its list."""
     lists: tuple[tuple[Point, ...], ...] = ()
 
     @classmethod
     def from_text(cls, text: str) -> Self:
-        """Raises `ValueError` for what is not written so."""
+        """Raises `ValueError` for any other form."""
         head, *lists = text.split(";")
         picture, _, touched = head.partition("_")
-        points = tuple(tuple(map(_point, each.split("_") if each else ())) for each in lists)
+        points = tuple(tuple(map(_point, entry.split("_") if entry else ())) for entry in lists)
         return cls(picture, int(touched or 0), points)
 
     @property
     def text(self) -> str:
         head = f"{self.picture}_{self.touched}" if self.touched else self.picture
-        lists = ("_".join(f"{_share(x)},{_share(y)}" for x, y in each) for each in self.lists)
+        lists = ("_".join(f"{_share(x)},{_share(y)}" for x, y in points) for points in self.lists)
         return ";".join((head, *lists))
 
 
@@ -61,7 +62,7 @@ class Points:
     most: int
     """Most points of a list."""
     buttons: Mapping[str, str]
-    """Handles that a button pulls, and what the button says."""
+    """Handle that a button pulls, to the text of the button."""
     default: str = ""
     """Written like `PointLists`; each scene decides what no points at all mean."""
 
@@ -80,7 +81,7 @@ class Points:
             if not isinstance(raw, str):
                 raise ValueError("no text")
             found = PointLists.from_text(raw)
-            longest = max((len(each) for each in found.lists), default=0)
+            longest = max((len(points) for points in found.lists), default=0)
             if len(found.lists) > self.lists or longest > self.most:
                 raise ValueError("too many")
             if not (found.picture.isalnum() or found.picture == "") or found.touched < 0:
@@ -110,12 +111,8 @@ def points(
 ) -> str:
     """Lists of points in a picture, which handles move; buttons pull other handles, which add
     points or take them away."""
-    return cast(
-        str,
-        setting(
-            default,
-            lambda name: Points(
-                name=name, label=label, lists=lists, most=most, buttons=buttons, default=default
-            ),
-        ),
+    made: str = setting(
+        default,
+        partial(Points, label=label, lists=lists, most=most, buttons=buttons, default=default),
     )
+    return made

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import cast
+from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting
 from simulations.engine.frame import format_number
@@ -95,7 +95,7 @@ class Slider:
         return min(max(self.parse(raw), self.minimum), self.maximum)
 
     def details(self) -> dict[str, object]:
-        """What the page knows of it besides its name, kind, label and default."""
+        """The data for the page besides name, kind, label and default."""
         return {
             "min": self.minimum,
             "max": self.maximum,
@@ -111,7 +111,7 @@ class Slider:
         return f"{self.prefix}{numeral(format_number(float(value), self.decimals))}", self.unit
 
     def extremes(self) -> tuple[Value, ...]:
-        """The ends of the range; of other kinds every state."""
+        """The ends of the range; every state for other kinds of controls."""
         return self.minimum, self.maximum
 
     def span(self, value: Value) -> tuple[float, float, float]:
@@ -132,20 +132,18 @@ def slider[N: (int, float)](
 ) -> N:
     """A number in a closed range; an ``int`` if the field is annotated as one. Where `arrival` is
     given, it moves there and back when its figure is first seen."""
-    return cast(
-        N,
-        setting(
-            default,
-            lambda name: Slider(
-                name=name,
-                label=label,
-                default=default,
-                minimum=minimum,
-                maximum=maximum,
-                step=step,
-                unit=unit,
-                prefix=prefix,
-                arrival=arrival,
-            ),
+    made: N = setting(
+        default,
+        partial(
+            Slider,
+            label=label,
+            default=default,
+            minimum=minimum,
+            maximum=maximum,
+            step=step,
+            unit=unit,
+            prefix=prefix,
+            arrival=arrival,
         ),
     )
+    return made

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import cast
+from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting
 
@@ -43,6 +43,5 @@ class Toggle:
 
 def toggle(label: str, default: bool = False) -> bool:
     """On or off."""
-    return cast(
-        bool, setting(default, lambda name: Toggle(name=name, label=label, default=default))
-    )
+    made: bool = setting(default, partial(Toggle, label=label, default=default))
+    return made
