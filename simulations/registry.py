@@ -86,31 +86,31 @@ def scene_module(scene_id: str) -> str:
     return _module("simulation", scene_id, "scenes", "scene", SCENE_MODULES)
 
 
-def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str, str]) -> str:
+def _module(kind: str, entry_id: str, room: str, inside: str, listed: Mapping[str, str]) -> str:
     """The module by its name alone, for the browser, where modules cannot be listed."""
-    name = f"simulations.{room}.{wanted.replace('-', '_')}"
-    spec = _spec(name) if not {"_", "."} & {*wanted} and not wanted.startswith("-") else None
-    if spec is None and wanted in listed:
-        file = f"{listed[wanted].replace('.', '/')}.py"
+    name = f"simulations.{room}.{entry_id.replace('-', '_')}"
+    spec = _spec(name) if not {"_", "."} & {*entry_id} and not entry_id.startswith("-") else None
+    if spec is None and entry_id in listed:
+        file = f"{listed[entry_id].replace('.', '/')}.py"
         raise UnknownIdError(
-            f"{kind} {wanted!r} in {file!r}; legal: '_' in the file's name for '-'"
+            f"{kind} {entry_id!r} in {file!r}; legal: '_' in the file's name for '-'"
         )
     if spec is None:
         legal = f"; legal: {', '.join(listed)}" if listed else ""
-        hint = suggestion(wanted, listed) or legal
-        raise UnknownIdError(f"unknown {kind} {wanted!r}{hint}")
+        hint = suggestion(entry_id, listed) or legal
+        raise UnknownIdError(f"unknown {kind} {entry_id!r}{hint}")
     return name if spec.submodule_search_locations is None else f"{name}.{inside}"
 
 
-def _value[T: (Scene[Any], Ladder)](wanted: str, module: str, name: str, kind: type[T]) -> T:
-    """The attribute of the module, whose id is ``wanted``. Raises `UnknownIdError`."""
+def _value[T: (Scene[Any], Ladder)](entry_id: str, module: str, name: str, kind: type[T]) -> T:
+    """The attribute of the module, whose id is ``entry_id``. Raises `UnknownIdError`."""
     found = getattr(import_module(module), name, None)
     if not isinstance(found, kind):
         given = "no" if found is None else f"{type(found).__name__} as"
         legal = f"a {kind.__name__}" + ", or a function below @figure" * (name == "SCENE")
         raise UnknownIdError(f"{module} has {given} {name}; legal: {legal}")
-    if found.id != wanted:
-        raise UnknownIdError(f"{module} has the id {found.id!r}; legal: {wanted!r}")
+    if found.id != entry_id:
+        raise UnknownIdError(f"{module} has the id {found.id!r}; legal: {entry_id!r}")
     return found
 
 

@@ -118,10 +118,10 @@ def first_miss(exercise: Exercise, text: str) -> tuple[int, Miss | None]:
 
     Raises what the text raises.
     """
-    readers, ours = (function_of(exercise, code) for code in (text, exercise.solution))
+    readers, solution = (function_of(exercise, code) for code in (text, exercise.solution))
     check = Check.of(exercise)
     for case in check.cases:
-        expected, _ = check.answer(case, ours, refuses=True)
+        expected, _ = check.answer(case, solution, refuses=True)
         got, names = check.answer(case, readers, refuses=isinstance(expected, ValueError))
         tolerance = names.get("TOLERANCE", TOLERANCE)
         fault = _changed(names, check) or _fault(got, expected, tolerance)
@@ -325,10 +325,10 @@ def trials(exercise: Exercise, text: str) -> list[Trial]:
     """The reader's answers to the hard cases, except cases for which the adapter raises
     `NotImplementedError`: they need arguments that the reader's function does not have."""
     table, name = table_of(exercise.name, exercise.hard), exercise.model.partition(":")[2]
-    theirs = table_of(exercise.name, exercise.hard, {name: function_of(exercise, text, name)})
+    readers = table_of(exercise.name, exercise.hard, {name: function_of(exercise, text, name)})
     found = []
     for case in table.cases:
-        got, expected = _answer_or_error(theirs, case.call), answer(table, case.call)
+        got, expected = _answer_or_error(readers, case.call), answer(table, case.call)
         if isinstance(got, NotImplementedError):
             continue
         passed = _is_expected(table, case.expected, got)

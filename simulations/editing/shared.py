@@ -20,19 +20,19 @@ def restore_modules() -> None:
     The first call stores the contents of the modules. Nothing of `builtins` is used before it is
     restored. Submodules that were imported meanwhile stay.
     """
-    for namespace, kept in _namespaces:
-        namespace.update(kept)
+    for namespace, stored_values in _namespaces:
+        namespace.update(stored_values)
     for entries, kept_entries in _finders:
         entries[:] = kept_entries
-    for namespace, kept in _namespaces:
-        for name in namespace.keys() - kept.keys():
+    for namespace, stored_values in _namespaces:
+        for name in namespace.keys() - stored_values.keys():
             if type(namespace[name]) is not ModuleType:
                 del namespace[name]
-    for kind, kept in _classes:
-        for name, value in kept.items():
+    for kind, stored_values in _classes:
+        for name, value in stored_values.items():
             if vars(kind).get(name) is not value:
                 type.__setattr__(kind, name, value)
-        for name in vars(kind).keys() - kept.keys():
+        for name in vars(kind).keys() - stored_values.keys():
             type.__delattr__(kind, name)
     if not _finders:
         lists = (sys.meta_path, sys.path, sys.path_hooks)

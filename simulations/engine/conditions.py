@@ -22,8 +22,8 @@ def shown_value(text: str) -> float | str:
 def names_in(settings: object, frame: Frame) -> Mapping[str, object]:
     """Names and values for conditions: the settings, and the readouts that share no setting's
     name."""
-    shown = {readout.name: shown_value(readout.text) for readout in frame.readouts}
-    return {**shown, **values_of(settings)}
+    readouts = {readout.name: shown_value(readout.text) for readout in frame.readouts}
+    return {**readouts, **values_of(settings)}
 
 
 def first_true(conditions: Sequence[str], settings: object, frame: Frame) -> int | None:

@@ -42,9 +42,9 @@ def _spans(content: str) -> str:
         if plain := content[rest : found.start()]:
             parts.append(_span(plain, "", -height))
             height = 0.0
-        kind, wanted = HEIGHTS[found[1]]
-        parts.append(_span(found[2] or found[3], kind, (wanted - height) / SCRIPT_SIZE))
-        rest, height = found.end(), wanted
+        kind, target = HEIGHTS[found[1]]
+        parts.append(_span(found[2] or found[3], kind, (target - height) / SCRIPT_SIZE))
+        rest, height = found.end(), target
     return "".join([*parts, _span(content[rest:], "", -height)])
 
 

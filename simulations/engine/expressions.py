@@ -121,8 +121,8 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
 
 
 def _power(base: Any, exponent: Any) -> Any:
-    whole = isinstance(base, int) and isinstance(exponent, int)
-    if whole and base.bit_length() * exponent > MOST_BITS:
+    integers = isinstance(base, int) and isinstance(exponent, int)
+    if integers and base.bit_length() * exponent > MOST_BITS:
         raise ExpressionError("a power that is too large; legal: below 1e1000")
     return base**exponent
 
@@ -131,8 +131,8 @@ def _product(left: Any, right: Any) -> Any:
     for one, other in ((left, right), (right, left)):
         if isinstance(one, str | tuple) and isinstance(other, int):
             raise ExpressionError("a text or list times a number; legal: a product of numbers")
-    whole = isinstance(left, int) and isinstance(right, int)
-    if whole and left.bit_length() + right.bit_length() > MOST_BITS:
+    integers = isinstance(left, int) and isinstance(right, int)
+    if integers and left.bit_length() + right.bit_length() > MOST_BITS:
         raise ExpressionError("a product that is too large; legal: below 1e1000")
     return left * right
 

@@ -231,13 +231,13 @@ def value_with_error(value: float, error: float) -> str:
     if not (np.isfinite(value) and np.isfinite(error)):
         return format_number(float("nan"))
     least = 10.0 ** (_exponent(abs(value)) - 5 if value else -5)
-    shown = max(abs(error), least)
-    power = int(f"{shown:.2e}".partition("e")[2])
-    decimals = (1 if shown / 10.0**power < 3.545 else 0) - power
+    printed = max(abs(error), least)
+    power = int(f"{printed:.2e}".partition("e")[2])
+    decimals = (1 if printed / 10.0**power < 3.545 else 0) - power
     if abs(error) < least:
         decimals = -power
-    value, shown = (round(number, decimals) for number in (value, shown))
-    words = [format_number(number, max(decimals, 0)) for number in (value, shown)]
+    value, printed = (round(number, decimals) for number in (value, printed))
+    words = [format_number(number, max(decimals, 0)) for number in (value, printed)]
     return " ± under ".join(words) if abs(error) < least else " ± ".join(words)
 
 

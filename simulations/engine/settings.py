@@ -65,11 +65,15 @@ def check_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
 
     Raises `ControlError` for anything illegal, also for a fraction where the setting is whole.
     """
-    whole = {entry.name for entry in fields(cast(Any, settings)) if entry.type is int}
+    integers = {entry.name for entry in fields(cast(Any, settings)) if entry.type is int}
 
     def check(control: Control, raw: object) -> Value:
         value = control.check(raw)
-        if control.name in whole and isinstance(control, Slider) and value != round(float(value)):
+        if (
+            control.name in integers
+            and isinstance(control, Slider)
+            and value != round(float(value))
+        ):
             steps = f"{control.minimum:g} and steps of {control.step:g}"
             message = f"{control.name}: {value:g} is between two steps; legal: {steps}"
             raise ControlError(message)
@@ -95,11 +99,11 @@ def _resolve[S](
             )
     types = {entry.name: entry.type for entry in fields(cast(Any, settings))}
     values = {name: legal(controls[name], raw) for name, raw in given.items()}
-    whole = {
+    typed = {
         name: round(value) if types[name] is int and isinstance(value, float) else value
         for name, value in values.items()
     }
-    return settings(**whole)
+    return settings(**typed)
 
 
 def values_of(settings: object) -> dict[str, Value]:

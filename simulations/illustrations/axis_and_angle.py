@@ -32,7 +32,7 @@ def draw() -> Illustration:
     at = SPACE.at
     origin, hub = at(0, 0, 0), at(*component_along_axis())
     circle = SPACE.all([turned(angle) for angle in np.radians(np.arange(0, 361, 4))])
-    way = SPACE.all([turned(angle) for angle in np.linspace(0.0, ANGLE_RAD, 31)])
+    path = SPACE.all([turned(angle) for angle in np.linspace(0.0, ANGLE_RAD, 31)])
     sideways = component_along_axis() + np.cross(AXIS, VECTOR)
     angle = SPACE.all(
         [
@@ -46,8 +46,8 @@ def draw() -> Illustration:
         line(hub, at(*VECTOR), "world thin"),
         line(hub, at(*turned(ANGLE_RAD)), "image thin"),
         arrow(hub, at(*sideways), "light"),
-        polyline(way[:-1], "ray bold"),
-        arrow(way[-3], way[-1], "ray bold"),
+        polyline(path[:-1], "ray bold"),
+        arrow(path[-3], path[-1], "ray bold"),
         polyline(angle, "ray"),
         arrow(origin, at(*VECTOR), "world bold"),
         arrow(origin, at(*turned(ANGLE_RAD)), "image bold"),

@@ -1,4 +1,4 @@
-"""The chain backwards: what the inverse of each link leaves open."""
+"""The chain backwards: the ambiguity of each link's inverse."""
 
 import math
 
@@ -12,7 +12,7 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 
 WIDTH, HEIGHT, ROW, TOP = 400.0, 346.0, 46.0, 24.0
-FIELD = (222.0, 388.0)  # left and right edge of the column of what is left open
+FIELD = (222.0, 388.0)  # left and right edge of the column of ambiguities
 LINKS = ("pose", "projection", "lens", "pixel grid", "light", "sensor", "file")
 LEFT_OPEN = (
     "one point", "a ray", "one point", "waves that agree there", "paint or light", "a probability",

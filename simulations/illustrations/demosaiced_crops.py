@@ -25,7 +25,7 @@ BORDER = 8  # pixels left out of the PSNR
 
 
 def displayed_picture(subject: str, method: str) -> Floats:
-    """(H, W, 3) the picture as a screen shows it, or what a method makes of its mosaic."""
+    """(H, W, 3) the picture as a screen shows it, or reconstructed from its mosaic by a method."""
     truth = SUBJECTS[subject].draw(WHOLE)
     guess = demosaic(mosaic(truth), method=method) if method else truth
     return encode_srgb(np.clip(guess, 0.0, 1.0))

@@ -40,8 +40,8 @@ def draw() -> Illustration:
         gap = f"gap {2.0**-BITS * low:g}" if low > 1 else f"{2.0**-BITS * low:g}"
         middle = ((ends[0][0] + ends[1][0]) / 2, FOOT - 44)
         marks.append(label(middle, gap, "muted small", "middle"))
-    said = "64-bit numbers: 2^{52} steps from each power of two to the next"
-    marks.append(label((AXIS.start, HEIGHT - 4), said, "small"))
+    caption = "64-bit numbers: 2^{52} steps from each power of two to the next"
+    marks.append(label((AXIS.start, HEIGHT - 4), caption, "small"))
     words = (
         f"A number line from 0 to {2**HIGHEST} with every number of a format that has {BITS} bits "
         f"behind the leading one. From each power of two to the next there are {2**BITS} steps, so "

@@ -36,8 +36,8 @@ def draw() -> Illustration:
     height = WIDTH * moving_ball.HEIGHT / COLUMNS
     panels = []
     for count in (*COUNTS, 0):
-        shown = encode_srgb(exposed(count))[:, FIRST : FIRST + COLUMNS]
-        overlay = picture((0.0, 0.0), WIDTH, height, to_rgba8(np.clip(shown, 0.0, 1.0)))
+        displayed = encode_srgb(exposed(count))[:, FIRST : FIRST + COLUMNS]
+        overlay = picture((0.0, 0.0), WIDTH, height, to_rgba8(np.clip(displayed, 0.0, 1.0)))
         off = f"{error_codes(count):.1f} codes off" if count else "exact"
         overlay += label((WIDTH / 2, height + 18), off, "muted", "middle")
         title = f"{count} instants" if count else "The integral"

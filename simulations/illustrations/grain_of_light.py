@@ -26,9 +26,9 @@ def draw() -> Illustration:
     panels = []
     edge = (SIDE - CELLS * PITCH) / 2
     for mean in MEANS_E:
-        shown = encode_srgb(np.clip(GREY * electron_counts(mean) / mean, 0, 1))
+        displayed = encode_srgb(np.clip(GREY * electron_counts(mean) / mean, 0, 1))
         noise = f"noise {100 / math.sqrt(mean):.2g} %"
-        overlay = picture((edge, 0.0), CELLS * PITCH, CELLS * PITCH, to_rgba8(shown))
+        overlay = picture((edge, 0.0), CELLS * PITCH, CELLS * PITCH, to_rgba8(displayed))
         overlay += label((SIDE / 2, CELLS * PITCH + 20), noise, "muted", "middle")
         panels.append(Panel(f"mean-{mean}", f"{mean} electrons", SIDE, 196, overlay=overlay))
     words = "A wall of one grey, seen by 12 by 12 cells, with " + ", ".join(

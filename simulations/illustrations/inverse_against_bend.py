@@ -19,8 +19,8 @@ PLOT = Plot(Axis(-0.43, 0.0, 62, 392), Axis(1e-16, 1.0, 226, 14, log=True))
 def errors() -> tuple[Floats, Floats]:
     """(79,) each: error of the radius by the fixed point and by Newton's method."""
     lenses = [Distortion(k1=float(k1)) for k1 in K1]
-    seen = [distort((RADIUS, 0.0), lens) for lens in lenses]
-    pairs = list(zip(seen, lenses, strict=True))
+    distorted = [distort((RADIUS, 0.0), lens) for lens in lenses]
+    pairs = list(zip(distorted, lenses, strict=True))
     fixed = [undistort_fixed_point(point, lens, STEPS)[0] for point, lens in pairs]
     newton = [undistort_newton(point, lens, STEPS)[0] for point, lens in pairs]
     return np.abs(np.array(fixed) - RADIUS), np.abs(np.array(newton) - RADIUS)

@@ -48,14 +48,14 @@ def crops(pictures: Floats) -> str:
 
 
 def draw() -> Illustration:
-    shown = {
+    panels_by_title = {
         "The pictures": sharp_pictures(),
         "Moved by 2 px": shifted_pictures(),
         "Without waves below 6 px": blurred_pictures(),
     }
     panels = tuple(
         Panel(f"copy-{n}", title, WIDTH, 3 * HEIGHT + 6, overlay=crops(pictures))
-        for n, (title, pictures) in enumerate(shown.items())
+        for n, (title, pictures) in enumerate(panels_by_title.items())
     )
     words = (
         "Pieces of three pictures. Moved by two pixels they look the same. Without waves shorter "

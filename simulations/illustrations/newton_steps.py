@@ -26,12 +26,12 @@ def guesses() -> list[float]:
 def draw() -> Illustration:
     radii = np.linspace(0.62, 1.06, 200)
     found = guesses()
-    foot, wanted = PLOT.y.start, PLOT.at(0.62, SEEN)[1]
+    foot, target = PLOT.y.start, PLOT.at(0.62, SEEN)[1]
     marks = [
         PLOT.axes(),
         PLOT.x_axis(Scale(ticks=(0.7, 0.8, 0.9), tick_style="muted small")),
         PLOT.y_axis(Scale(ticks=(0.55, 0.6, 0.65, 0.7), tick_style="muted small")),
-        line((PLOT.x.start, wanted), (PLOT.x.end, wanted), "image dashed"),
+        line((PLOT.x.start, target), (PLOT.x.end, target), "image dashed"),
         PLOT.curve(radii, evaluate(LENS, radii), "camera bold"),
     ]
     for index, r in enumerate(found[:-1]):
@@ -47,7 +47,7 @@ def draw() -> Illustration:
     root = PLOT.at(found[-1], SEEN)
     marks += [
         dot(root, "image", 4.5),
-        label((PLOT.x.start + 8, wanted - 8), f"seen: r_d = {SEEN:g}", "image"),
+        label((PLOT.x.start + 8, target - 8), f"seen: r_d = {SEEN:g}", "image"),
         label((root[0] + 10, foot - 8), f"r = {found[-1]:.3f}", "image ground"),
         label((PLOT.x.end, foot + 18), "ideal radius r", "muted small", "end"),
     ]

@@ -34,9 +34,9 @@ def draw() -> Illustration:
             marks.append(label((x, y + 26), words, role, "middle"))
             if y != ROWS[0]:
                 marks.append(arrow((x, y - (ROWS[1] - ROWS[0] - BOX_HEIGHT)), (x, y), "muted"))
-    said = "; ".join(
+    sentences = "; ".join(
         f"{heading}, {column[0][0]} computes the {column[1][0]}, shown as a {column[2][0]}"
         for heading, column in zip(HEADINGS, zip(*ROWS_OF_WORDS, strict=True), strict=True)
     )
-    words = f"The same {SOURCE[0]} are run twice: {said}."
+    words = f"The same {SOURCE[0]} are run twice: {sentences}."
     return Illustration((Panel("runs", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)

@@ -43,14 +43,14 @@ def _picture(axes: Floats) -> list[str]:
     posts = []
     for angle in POSTS_RAD:
         foot = np.array([10 * math.sin(angle), 0.0, 10 * math.cos(angle)])
-        post, seen = project(np.stack([foot, foot - 3.2 * DOWN]) @ axes, K)
-        if seen.all() and (post >= 0).all() and (post <= [WIDTH, HEIGHT]).all():
+        post, visible = project(np.stack([foot, foot - 3.2 * DOWN]) @ axes, K)
+        if visible.all() and (post >= 0).all() and (post <= [WIDTH, HEIGHT]).all():
             posts.append(post)
     return [line(ends[0], ends[1], "world bold"), path(posts, "world")]
 
 
 def draw() -> Illustration:
-    panels, said = [], []
+    panels, sentences = [], []
     for name, title, axes in ORDERS:
         up, slant = elevation_deg(axes), abs(slant_deg(axes))
         marks = [
@@ -61,8 +61,8 @@ def draw() -> Illustration:
             label((12, 24), f"looks up by {up:.1f}°, horizon slants by {slant:.1f}°", "small"),
         ]
         panels.append(Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks)))
-        said.append(
+        sentences.append(
             f"{title}: the camera looks up by {up:.1f}° and its horizon slants by {slant:.1f}°"
         )
-    words = f"Two viewfinders after 30° of pan and 20° of tilt. {'; '.join(said)}."
+    words = f"Two viewfinders after 30° of pan and 20° of tilt. {'; '.join(sentences)}."
     return Illustration(tuple(panels), words)

@@ -35,17 +35,18 @@ def stations() -> tuple[tuple[str, str, str, str], ...]:
 
 def draw() -> Illustration:
     marks = []
-    for index, (name, role, way, chance) in enumerate(stations()):
+    for index, (name, role, unit_step, chance) in enumerate(stations()):
         y = 14 + index * (BOX_HEIGHT + GAP)
         marks.append(box((LEFT, y), BOX_WIDTH, BOX_HEIGHT, 4, f"{role} fill"))
         marks.append(label((LEFT + BOX_WIDTH / 2, y + 25), name, f"{role} strong", "middle"))
         if index:
             top, x = y - GAP, LEFT + BOX_WIDTH / 2
             marks.append(arrow((x, top), (x, y), "muted"))
-            marks.append(label((x - 10, top + 26), way, "muted small", "end"))
+            marks.append(label((x - 10, top + 26), unit_step, "muted small", "end"))
             marks.append(arrow((x + 44, top + 21), (x + 4, top + 21), "error", 7))
             marks.append(label((x + 50, top + 26), chance, "error small"))
     words = "From the top down: " + "; ".join(
-        name if not chance else f"{way}, {chance}: {name}" for name, _, way, chance in stations()
+        name if not chance else f"{unit_step}, {chance}: {name}"
+        for name, _, unit_step, chance in stations()
     ).replace("^−", "⁻")
     return Illustration((Panel("chain", "", 400.0, 296.0, overlay="".join(marks)),), f"{words}.")

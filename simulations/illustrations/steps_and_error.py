@@ -21,11 +21,11 @@ first-order inverse."""
 def points() -> list[tuple[int, float, str]]:
     """Cost, error and method of each number of steps."""
     ideal = np.stack([np.linspace(0, 0.9, 91), np.zeros(91)], axis=-1)
-    seen = distort(ideal, LENS)
+    distorted = distort(ideal, LENS)
     found = []
     for name, method in (("fixed point", undistort_fixed_point), ("Newton", undistort_newton)):
         for steps in STEPS[name]:
-            error = float(np.abs(method(seen, LENS, steps) - ideal).max())
+            error = float(np.abs(method(distorted, LENS, steps) - ideal).max())
             found.append((POLYNOMIALS[name](steps), max(error, PLOT.y.low), name))
     return found
 

@@ -72,12 +72,12 @@ def _square(rays: ChiefRays) -> str:
     side = CORNER / np.sqrt(2.0)
     along, lines = np.linspace(-side, side, 41), np.linspace(-side, side, 5)
     rows = [np.stack([along, np.full_like(along, c)], -1) for c in lines]
-    seen = []
+    images = []
     for row in (*rows, *(row[:, ::-1] for row in rows)):
         bent = factor(rays, np.hypot(row[:, 0], row[:, 1]))
         moved = row * (1.0 + ENLARGED * (bent - 1.0))[:, None]
-        seen.append(np.array([WIDTH / 2, SQUARE_Y]) + 43.0 / side * moved)
-    return path(seen, "image")
+        images.append(np.array([WIDTH / 2, SQUARE_Y]) + 43.0 / side * moved)
+    return path(images, "image")
 
 
 def draw() -> Illustration:

@@ -36,10 +36,12 @@ def quality(pictures: Floats, truth: Floats) -> tuple[float, float, float]:
 def draw() -> Illustration:
     truth = pictures_at(*places(TURNS * TURN_RAD))
     size, foot = (WIDTH, 3 * HEIGHT + 50), 3 * HEIGHT + 23
-    panels, said = [Panel("truth", "What belongs there", *size, overlay=crops(truth))], []
+    panels, results = [Panel("truth", "What belongs there", *size, overlay=crops(truth))], []
     for kernel, title in TITLES.items():
         psnr, present, in_place = quality(pictures := turned(kernel), truth)
-        said.append(f"{title}: {psnr:.1f} dB, {present:.0f} % present, {in_place:.0f} % in place")
+        results.append(
+            f"{title}: {psnr:.1f} dB, {present:.0f} % present, {in_place:.0f} % in place"
+        )
         number = label((WIDTH / 2, foot), f"{psnr:.1f} dB", "image", "middle")
         others = f"{present:.0f} % present, {in_place:.0f} % in place"
         words = label((WIDTH / 2, foot + 20), others, "muted small", "middle")
@@ -47,5 +49,5 @@ def draw() -> Illustration:
     return Illustration(
         tuple(panels),
         "Pieces of three pictures after twelve turns. The nearest pixel tears edges, bilinear "
-        f"blurs, the spline looks true. {'; '.join(said)}.",
+        f"blurs, the spline looks true. {'; '.join(results)}.",
     )

@@ -24,7 +24,7 @@ FREE = PINHOLE + LENSES["k1k2"]
 GUESSES = (0.3, 0.4, 0.5, 0.7, 1.4, 2.0, 3.0, 4.0, 6.0, 8.0)
 """Focal lengths of poor starts, in units of the true one; the axis is in the middle."""
 ARRIVED_PX = 1e-3
-"""RMS distance of the corners from those of the minimum below which a start has arrived."""
+"""RMS distance of the corners from the corners of the minimum below which a start has converged."""
 FAR_PX = 1e3
 
 type Start = tuple[Camera, Poses]
@@ -32,7 +32,7 @@ type Start = tuple[Camera, Poses]
 
 @dataclass(frozen=True, slots=True)
 class Workload:
-    """Corners, and starts of the search: that of the closed form, and poor ones."""
+    """Corners, and starts of the search: the closed form, and poor ones."""
 
     views: Views
     poor: tuple[Start, ...]

@@ -35,7 +35,7 @@ LOOKS = {
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A photograph, and what is known of its corners."""
+    """A photograph, and the known data of its corners."""
 
     look: str
     codes: Codes
@@ -68,8 +68,8 @@ def _photographed(view: View, looks: Mapping[str, Look], start_seed: int, seed: 
     truth = true_corners(BOARD, view)
     indices = BOARD.indices.astype(int)
     lattice = lattice_of(truth, indices, light=False)
-    seen = predict(lattice, indices[:, ::-1] + 1)
-    edges = np.stack([seen.across, seen.down], axis=1)
+    predicted = predict(lattice, indices[:, ::-1] + 1)
+    edges = np.stack([predicted.across, predicted.down], axis=1)
     return tuple(
         Part(
             name,
@@ -168,8 +168,8 @@ def rms_px(
 ) -> float:
     """RMS distance over the corners of one photograph, or of all."""
     distances = [
-        np.hypot(*(ours - true).T)
-        for ours, true, part in zip(result, truth, workload, strict=True)
+        np.hypot(*(refined - true).T)
+        for refined, true, part in zip(result, truth, workload, strict=True)
         if look in ("", part.look)
     ]
     return root_mean_square(np.concatenate(distances))

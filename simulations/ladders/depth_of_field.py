@@ -133,15 +133,15 @@ def reference(workload: Workload, rays: int = 4096) -> Floats:
     """Mean light (3, H, W) over each pixel and over the lens, in float64.
 
     It shares the scene with the tiers, but no code that draws it. A ray of zero width hits a card,
-    the floor or the wall at one point, which is light or dark. The means are those of many rays,
+    the floor or the wall at one point, which is light or dark. The means are taken over many rays,
     each through a different place in pixel and lens.
     """
-    seen = cards.pixels(workload.seen.shape[1], np.float64)
-    shades = np.zeros((1 + len(cards.CARDS), *seen.shape))
+    pixels = cards.pixels(workload.seen.shape[1], np.float64)
+    shades = np.zeros((1 + len(cards.CARDS), *pixels.shape))
     for right, down, square, turn in spread_evenly(rays).tolist():
         radius, angle = workload.lens_radius * np.sqrt(square), 2 * np.pi * turn
-        x = seen.x + (right - 0.5) / seen.focal_px
-        y = seen.y + (down - 0.5) / seen.focal_px
+        x = pixels.x + (right - 0.5) / pixels.focal_px
+        y = pixels.y + (down - 0.5) / pixels.focal_px
         _add_shades(shades, x, y, radius * np.cos(angle), radius * np.sin(angle))
     colours = np.array([cards.TINT, *(card.colour for card in cards.CARDS)])
     return np.einsum("sc,shw->chw", colours, shades / rays)

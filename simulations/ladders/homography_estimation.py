@@ -88,8 +88,8 @@ def matches_of(view: View, seed: int = 13) -> Matches:
     trials = TRIALS if view.noise_px else 1
     exact = rng.uniform(view.low, view.high, (trials, POINTS, 2))
     source, target = (
-        seen + view.noise_px * rng.standard_normal(seen.shape)
-        for seen in (exact, true_map(view, exact))
+        mapped_points + view.noise_px * rng.standard_normal(mapped_points.shape)
+        for mapped_points in (exact, true_map(view, exact))
     )
     x, y = np.linspace(view.low, view.high, 12).T
     return Matches(view, exact, source, target, np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2))
@@ -141,8 +141,8 @@ def rms_px(
     squares = []
     for H, true, matches in zip(result, truth, workload, strict=True):
         if matches.view.name in views:
-            ours = mapped(H.reshape(-1, 9), matches.check)
-            squares.append(np.fmin(((ours - true) ** 2).sum(axis=-1), LOST_PX**2).ravel())
+            estimated = mapped(H.reshape(-1, 9), matches.check)
+            squares.append(np.fmin(((estimated - true) ** 2).sum(axis=-1), LOST_PX**2).ravel())
     return float(np.sqrt(np.concatenate(squares).mean()))
 
 
@@ -223,17 +223,17 @@ def _linearised(h: Floats, before: Floats, after: Floats) -> tuple[Floats, Float
     """
     x, y = before.T
     inverse_w = 1.0 / (h[6] * x + h[7] * y + h[8])
-    seen = np.stack((h[0] * x + h[1] * y + h[2], h[3] * x + h[4] * y + h[5])) * inverse_w
+    mapped_points = np.stack((h[0] * x + h[1] * y + h[2], h[3] * x + h[4] * y + h[5])) * inverse_w
     slope = np.zeros((2, len(before), 8))
     for axis in range(2):
         slope[axis, :, 3 * axis] = x * inverse_w
         slope[axis, :, 3 * axis + 1] = y * inverse_w
         slope[axis, :, 3 * axis + 2] = inverse_w
-        slope[axis, :, 6] = -seen[axis] * x * inverse_w
-        slope[axis, :, 7] = -seen[axis] * y * inverse_w
+        slope[axis, :, 6] = -mapped_points[axis] * x * inverse_w
+        slope[axis, :, 7] = -mapped_points[axis] * y * inverse_w
     linear = h[:6].reshape(2, 3)[:, :2, None]
-    J = (linear - seen[:, None] * h[6:8, None]) * inverse_w
-    return seen - after.T, slope, J
+    J = (linear - mapped_points[:, None] * h[6:8, None]) * inverse_w
+    return mapped_points - after.T, slope, J
 
 
 def _whiten(residual: Floats, slope: Floats, J: Floats) -> None:

@@ -51,15 +51,15 @@ def reference(workload: Workload) -> Floats:
     k₁ < 0 alone it does so up to r = √(−1/(3 k₁)), where the search ends.
     """
     k1, k2 = workload.lens.k1, workload.lens.k2
-    seen_radius: Floats = np.linalg.norm(workload.seen, axis=-1)
+    distorted_radius: Floats = np.linalg.norm(workload.seen, axis=-1)
     furthest = np.sqrt(-1.0 / (3.0 * k1)) if k1 < 0.0 and not k2 else 3.0
-    low, high = np.zeros_like(seen_radius), np.full_like(seen_radius, furthest)
+    low, high = np.zeros_like(distorted_radius), np.full_like(distorted_radius, furthest)
     for _ in range(60):
         middle = (low + high) / 2
         s = middle * middle
-        too_far = middle * (1 + k1 * s + k2 * s * s) > seen_radius
+        too_far = middle * (1 + k1 * s + k2 * s * s) > distorted_radius
         low, high = np.where(too_far, low, middle), np.where(too_far, middle, high)
-    return workload.seen * (high / seen_radius)[:, None]
+    return workload.seen * (high / distorted_radius)[:, None]
 
 
 def _distance_px(result: Floats, truth: Floats, workload: Workload) -> Floats:

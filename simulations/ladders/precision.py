@@ -90,7 +90,7 @@ def _turned(rotation: Floats, points: Floats) -> Floats:
     """R p of points (..., 3), in their own precision.
 
     Products and sums are written out: a matrix library may fuse or reorder them, and here the
-    rounding is what is measured. It must not differ from one machine to the next.
+    rounding is measured. It must not differ from one machine to the next.
     """
     x, y, z = points[..., 0], points[..., 1], points[..., 2]
     rows = rotation.astype(points.dtype)

@@ -31,8 +31,8 @@ TILES = {"grid_template_columns": "repeat(auto-fill, minmax(26em, 1fr))", "grid_
 def figure(
     scene_id: str, /, *, tier: str = "", panels: Sequence[str] = (), **values: object
 ) -> "Figure":
-    """The scene at these values, with defaults for the others, at the level ``tier`` or the default;
-    with the panels of these names, or all.
+    """The scene at these values, with defaults for the others, at the level ``tier`` or the
+    default; with the panels of these names, or all.
 
     Raises `UnknownIdError`, and `ControlError` for values that its controls do not have.
     """

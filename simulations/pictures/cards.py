@@ -74,42 +74,42 @@ def pixels(width: int, dtype: type[np.floating]) -> Pixels:
     return Pixels(x[None, :].astype(dtype), y[:, None].astype(dtype), focal_px)
 
 
-def radiance(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
+def radiance(pixels: Pixels, lens_x: Place, lens_y: Place) -> Floats:
     """Light (3, H, W) that reaches the pixels through the point (lens_x, lens_y) of the lens.
 
     The lens bends every ray of a pixel through the same point at `FOCUS_Z`.
     """
-    picture, _ = background(seen, lens_x, lens_y)
+    picture, _ = background(pixels, lens_x, lens_y)
     for card in CARDS:
-        colour, cover = card_light(card, seen, lens_x, lens_y)
+        colour, cover = card_light(card, pixels, lens_x, lens_y)
         picture += (colour - picture) * cover
     return picture
 
 
-def background(seen: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0) -> tuple[Floats, Floats]:
+def background(pixels: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0) -> tuple[Floats, Floats]:
     """Floor and wall: light (3, H, W) and depth (H, W)."""
-    wall_x, wall_y = _at_depth(seen.x, seen.y, lens_x, lens_y, WALL_Z)
-    pixel = seen.x.dtype.type(WALL_Z / seen.focal_px)
+    wall_x, wall_y = _at_depth(pixels.x, pixels.y, lens_x, lens_y, WALL_Z)
+    pixel = pixels.x.dtype.type(WALL_Z / pixels.focal_px)
     bars = stripes(wall_x, BAR_PERIOD, BAR, pixel) + 0 * wall_y
     floor = np.clip(0.5 + (wall_y - FLOOR_Y) / pixel, 0.0, 1.0)
-    on_floor = DARK_TILE + (LIGHT_TILE - DARK_TILE) * _tiles(seen, lens_x, lens_y)
+    on_floor = DARK_TILE + (LIGHT_TILE - DARK_TILE) * _tiles(pixels, lens_x, lens_y)
     on_wall = DARK_BAR + (LIGHT_BAR - DARK_BAR) * bars
     shade = floor * on_floor + (1.0 - floor) * on_wall
     picture = np.stack([part * shade for part in TINT])
-    return picture, _floor_depth(seen.y, lens_y) + 0 * shade
+    return picture, _floor_depth(pixels.y, lens_y) + 0 * shade
 
 
-def _tiles(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
+def _tiles(pixels: Pixels, lens_x: Place, lens_y: Place) -> Floats:
     """Share (H, W) of light tiles in each pixel of the floor, continued behind the wall."""
-    step = 1.0 / (SUBROWS * seen.focal_px)
+    step = 1.0 / (SUBROWS * pixels.focal_px)
     middle = (SUBROWS - 1) / 2
-    total = np.zeros((), seen.x.dtype)
+    total = np.zeros((), pixels.x.dtype)
     for index in range(SUBROWS):
-        y = seen.y + seen.y.dtype.type((index - middle) * step)
+        y = pixels.y + pixels.y.dtype.type((index - middle) * step)
         depth = _floor_depth(y, lens_y)
-        x, _ = _at_depth(seen.x, y, lens_x, lens_y, depth)
+        x, _ = _at_depth(pixels.x, y, lens_x, lens_y, depth)
         rising = (FLOOR_Y - lens_y) / depth  # of the rays, down per forward
-        total = total + checker(x, depth, TILE, depth / seen.focal_px, depth * step / rising)
+        total = total + checker(x, depth, TILE, depth / pixels.focal_px, depth * step / rising)
     return total / SUBROWS
 
 
@@ -120,11 +120,11 @@ def _floor_depth(y: Floats, lens_y: Place) -> Floats:
 
 
 def card_light(
-    card: Card, seen: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0
+    card: Card, pixels: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0
 ) -> tuple[Floats, Floats]:
     """Light of the card's plane (3, H, W), and how much of each pixel the card covers (H, W)."""
-    at_x, at_y = _at_depth(seen.x, seen.y, lens_x, lens_y, card.z)
-    pixel = seen.x.dtype.type(card.z / seen.focal_px)
+    at_x, at_y = _at_depth(pixels.x, pixels.y, lens_x, lens_y, card.z)
+    pixel = pixels.x.dtype.type(card.z / pixels.focal_px)
     from_centre = np.sqrt((at_x - card.x) ** 2 + (at_y - card.y) ** 2)
     cover = np.clip(0.5 + (card.radius - from_centre) / pixel, 0.0, 1.0)
     along = at_x + STRIPE_SLOPE * at_y

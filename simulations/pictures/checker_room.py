@@ -72,16 +72,16 @@ def checker_room(width: int, height: int, focal_px: float, turn: ArrayLike | Non
         ((nearest == depth_x) & (ray_x < 0.0), 0, _left_wall),
         ((nearest == depth_x) & (ray_x > 0.0), 0, _right_wall),
     )
-    for seen, axis, paint in surfaces:
-        ray = [part[seen] for part in (ray_x, ray_y, ray_z)]
-        picture[seen] = paint(_hits(ray, nearest[seen], axis, across, down))
+    for mask, axis, paint in surfaces:
+        ray = [part[mask] for part in (ray_x, ray_y, ray_z)]
+        picture[mask] = paint(_hits(ray, nearest[mask], axis, across, down))
     return picture
 
 
 def _hits(ray: list[Floats], depth: Floats, axis: int, across: Floats, down: Floats) -> Hits:
     """Hit points P = c · ray / ray_axis, and the footprints of pixels from its derivatives.
 
-    ``across`` and ``down`` (3,) are what a ray gains from a pixel to the next.
+    ``across`` and ``down`` (3,) are the changes of a ray from a pixel to the next.
     """
     sizes = []
     for i in range(3):

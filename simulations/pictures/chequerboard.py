@@ -74,8 +74,8 @@ def true_corners(board: Board, view: View) -> Floats:
     """(N, 2) places of the inner corners in the picture in px, NaN for those behind the camera."""
     in_camera = board.points_mm @ view.board_to_camera[:3, :3].T + view.board_to_camera[:3, 3]
     ideal, _ = project(in_camera, np.eye(3))
-    seen: Floats = distort(ideal, view.lens)
-    return seen @ view.K[:2, :2].T + view.K[:2, 2]
+    distorted: Floats = distort(ideal, view.lens)
+    return distorted @ view.K[:2, :2].T + view.K[:2, 2]
 
 
 def photograph_of(board: Board, view: View, look: Look | None = None) -> Codes:

@@ -35,8 +35,10 @@ def _soft(window: Window) -> Floats:
     """Smooth waves in another direction for each colour, so that the colours are uncorrelated."""
     x, y = np.meshgrid(np.arange(WIDTH, dtype=float), np.arange(HEIGHT, dtype=float))
     waves = [
-        0.5 + 0.35 * np.cos(2 * np.pi * (x * np.cos(way) + y * np.sin(way)) / PERIOD_PX + lag)
-        for way, lag in zip(WAYS_RAD, LAGS_RAD, strict=True)
+        0.5
+        + 0.35
+        * np.cos(2 * np.pi * (x * np.cos(direction) + y * np.sin(direction)) / PERIOD_PX + lag)
+        for direction, lag in zip(WAYS_RAD, LAGS_RAD, strict=True)
     ]
     return _cropped(np.stack(waves, axis=-1).astype(np.float32), window)
 

@@ -16,7 +16,7 @@ FREQUENCIES = np.array([0.02, 0.03, 0.05, 0.08, 0.11, 0.15, 0.21, 0.24, 0.27, 0.
 GOLDEN_RAD = np.pi * (3 - np.sqrt(5))
 """Angle between successive waves or discs, which spreads them evenly over all directions."""
 RINGS_AT_PX = (-20.0, 8.0)
-"""Centre of the rings: not that of the window, as a rotation would not change them there."""
+"""Centre of the rings: not the window's centre, as a rotation would not change them there."""
 FINEST = 0.35  # frequency of the rings at the far side of the window, in cycles per pixel
 DISCS = 90
 SOFT_PX = 0.6  # scale of a disc's edge, which is about two pixels wide, enough for sampling

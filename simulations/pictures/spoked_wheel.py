@@ -126,7 +126,7 @@ def render(
     swept_rad: float,
     exposure: Exposure = exposure_mean,
 ) -> NDArray[np.uint8]:
-    """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and what is behind mix in linear light.
+    """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and background mix in linear light.
 
     The first spoke starts at ``first_angle_rad``, clockwise from the right, and all turn by
     ``swept_rad``, of either sign, while the shutter is open.
@@ -143,7 +143,7 @@ def mean_coverage(place: Floats, duty: ArrayLike, pixel: ArrayLike, swept: float
     """Share (n,) of a pixel that bars cover, on average over the exposure.
 
     All lengths are in spacings of the bars: ``place`` (n,) from the middle of a bar, ``duty``
-    the width of a bar, ``pixel`` that of a pixel, ``swept`` how far the bars move.
+    the width of a bar, ``pixel`` of a pixel, ``swept`` the path of the bars.
     """
     bar = np.minimum(np.asarray(duty, float), 1.0)
     half_pixel = 0.5 * np.maximum(np.asarray(pixel, float), NARROWEST)

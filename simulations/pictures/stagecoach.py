@@ -75,10 +75,10 @@ def paint(
     shade: Floats | float = 1.0,
 ) -> None:
     """Lay a colour over the picture, in place, where the distance from a border is negative."""
-    seen = outside < 0.5
-    cover = opacity * coverage(outside[seen])[:, None]
-    tone = np.array(colour) * np.broadcast_to(shade, seen.shape)[seen][:, None]
-    light[seen] += cover * (tone - light[seen])
+    inside = outside < 0.5
+    cover = opacity * coverage(outside[inside])[:, None]
+    tone = np.array(colour) * np.broadcast_to(shade, inside.shape)[inside][:, None]
+    light[inside] += cover * (tone - light[inside])
 
 
 def coverage(outside: Floats) -> Floats:

@@ -85,7 +85,7 @@ class Box:
 def tiled_floor(pose: ArrayLike, K: ArrayLike, width: int, height: int) -> NDArray[np.float32]:
     """The terrace, the sea and the sky, (height, width, 3).
 
-    ``pose`` (4, 4) is that of a camera above the floor, not looking straight up or down.
+    ``pose`` (4, 4) of a camera above the floor, not looking straight up or down.
     """
     to_floor = np.linalg.inv(ground_to_image(pose, K)).astype(np.float32)
     across, away, nearness = (_over_pixels(row, width, height) for row in to_floor)

@@ -118,7 +118,7 @@ def inside(shape: Shape, x: Floats, y: Floats) -> Floats:
 
 
 def unit_normals(shape: Shape, x: Floats, y: Floats) -> NDArray[np.float64]:
-    """Normals (h, w, 3) at columns ``x`` and rows ``y``; outside the body, those of its rim.
+    """Normals (h, w, 3) at columns ``x`` and rows ``y``; outside the body, the normals of its rim.
 
     A radius R(y) has the normal (x, -R dR/dy, z), and R dR/dy is half the slope of its square.
     """
@@ -195,9 +195,9 @@ def paint(body: Body, linear: Floats) -> NDArray[np.uint8]:
     """The bytes (H, W, 4) of (h, w) or (h, w, 3) light. Only the rim mixes body and wall."""
     picture = body.backdrop.copy()
     square = picture[body.square]
-    shown = to_rgba8(encode_srgb_table(linear))
+    codes = to_rgba8(encode_srgb_table(linear))
     # Pixels are copied as one number of four bytes, which is faster than with a mask.
-    whole, shown_whole = (rgba.view(np.uint32)[..., 0] for rgba in (square, shown))
+    whole, shown_whole = (rgba.view(np.uint32)[..., 0] for rgba in (square, codes))
     np.copyto(whole, shown_whole, where=body.inner)
     on_rim = linear[body.rim].reshape(len(body.behind_rim), -1)
     mixed = body.behind_rim + body.rim_coverage * (on_rim - body.behind_rim)

@@ -30,7 +30,7 @@ def blurred(factor: Callable[[Floats, Floats], Floats]) -> Planes:
     """(3, 192, 240) with each wave multiplied by its ``factor``, given its frequencies down and
     across in cycles per pixel."""
     height, width = (side + 2 * MARGIN_PX for side in sharp().shape[1:])
-    kept = factor(np.fft.fftfreq(height)[:, None], np.fft.rfftfreq(width)).astype(np.float32)
-    seen = np.fft.irfft2(_waves() * kept, (height, width))
+    transfer = factor(np.fft.fftfreq(height)[:, None], np.fft.rfftfreq(width)).astype(np.float32)
+    filtered = np.fft.irfft2(_waves() * transfer, (height, width))
     inside = slice(MARGIN_PX, -MARGIN_PX)
-    return np.clip(seen[:, inside, inside], 0.0, 1.0)
+    return np.clip(filtered[:, inside, inside], 0.0, 1.0)

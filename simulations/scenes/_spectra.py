@@ -91,8 +91,8 @@ def light_of(light: str, temperature: float) -> Floats:
             power = illuminants.fluorescent()
         case _:
             power = illuminants.white_diode()
-    seen = (WAVELENGTHS_NM >= 400.0) & (WAVELENGTHS_NM <= 700.0)
-    return power / power[seen].mean()
+    visibility = (WAVELENGTHS_NM >= 400.0) & (WAVELENGTHS_NM <= 700.0)
+    return power / power[visibility].mean()
 
 
 def surfaces_of(band: float, width: float) -> Floats:
@@ -166,8 +166,8 @@ def rainbow() -> Raster:
     places = np.linspace(0.0, len(linear) - 1.0, COLUMNS.stop - COLUMNS.start)
     channels = (np.convolve(channel, SOFTLY, "valid") for channel in ends.T)
     strip = [np.interp(places, np.arange(len(linear)), channel) for channel in channels]
-    seen = OBSERVER.sum(axis=1) / OBSERVER.sum(axis=1).max() / FAINT
-    opacity = np.interp(places, np.arange(len(seen)), np.minimum(seen, 1.0))
+    visibility = OBSERVER.sum(axis=1) / OBSERVER.sum(axis=1).max() / FAINT
+    opacity = np.interp(places, np.arange(len(visibility)), np.minimum(visibility, 1.0))
     return to_rgba8(np.stack(strip, axis=-1)[None], opacity[None])
 
 
@@ -181,8 +181,8 @@ class Chart:
 
     def paint(self, steps: tuple[Floats, ...], *, twin: bool) -> Raster:
         """Bytes (H, W, 4) from linear sRGB (2, 12, 3) for each row; twins in the lower halves."""
-        shown = np.stack([each if twin else each[[0, 0]] for each in steps])
-        cells = to_rgba8(encode_srgb(shown.reshape(-1, len(NAMES), 3)))
+        colours = np.stack([each if twin else each[[0, 0]] for each in steps])
+        cells = to_rgba8(encode_srgb(colours.reshape(-1, len(NAMES), 3)))
         picture = np.zeros((HEIGHT // UNIT, WIDTH // UNIT, 4), np.uint8)
         halves = cells.repeat(self.row // UNIT // 2, axis=0).repeat(CELL // UNIT, axis=1)
         high, left = self.row // UNIT, LEFT // UNIT

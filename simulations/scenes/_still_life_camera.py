@@ -185,8 +185,8 @@ def through_lens(
     """The picture seen through one point of the lens: ``at`` = (right, down) in the unit disc."""
     radius = focal_length / aperture / 2000.0  # metres
     place = (radius * at[0], radius * at[1])
-    seen = still_life.view_through(rays.directions, rays.valid, place, focus, back)
-    return overlay(light(surfaces(seen), light_angle), 1.0)
+    view = still_life.view_through(rays.directions, rays.valid, place, focus, back)
+    return overlay(light(surfaces(view), light_angle), 1.0)
 
 
 def mean_through_lens(

@@ -98,14 +98,14 @@ def reconstruct(cfa: Floats, method: str) -> Floats:
     return np.clip(demosaicing.demosaic(cfa, PATTERN, method), 0, 1)
 
 
-def compare(truth: Floats, guess: Floats, shown_truth: Floats, shown: Floats) -> Errors:
+def compare(truth: Floats, guess: Floats, displayed_truth: Floats, displayed: Floats) -> Errors:
     """Errors of a picture in linear light (H, W, 3), and of the same picture encoded."""
-    absolute = np.abs(shown - shown_truth)
+    absolute = np.abs(displayed - displayed_truth)
     inner = absolute[CROP:-CROP, CROP:-CROP].max(axis=2)
     row, column = divmod(int(inner.argmax()), inner.shape[1])
     return Errors(
         absolute,
-        psnr_db(shown, shown_truth, crop=CROP),
+        psnr_db(displayed, displayed_truth, crop=CROP),
         psnr_db(guess, truth, crop=CROP),
         round(255 * float(inner.max())),
         (row + CROP, column + CROP),
@@ -117,8 +117,8 @@ def cells(cfa: Floats) -> Raster:
     return to_rgba8(encode_srgb(through_filters(cfa, PATTERN)))
 
 
-def picture_bytes(shown: Floats) -> Raster:
-    return to_rgba8(shown)
+def picture_bytes(picture: Floats) -> Raster:
+    return to_rgba8(picture)
 
 
 def amplified(errors: Errors) -> Raster:
@@ -129,9 +129,9 @@ def wipe(reconstruction: Raster, cells: Raster, split: float) -> Raster:
     return wiped(reconstruction, cells, split)
 
 
-def doubled(shown: Raster) -> Raster:
+def doubled(raster: Raster) -> Raster:
     """Two samples per cell, as the fine pattern would beat with the screen's pixels."""
-    return shown.repeat(2, axis=0).repeat(2, axis=1)
+    return raster.repeat(2, axis=0).repeat(2, axis=1)
 
 
 def no_mosaic(split: float) -> str:

@@ -130,12 +130,12 @@ def space(azimuth: float, elevation: float) -> View:
 def camera_to_panel(here: Standpoint, look: View) -> ToPanel:
     """Points (..., 3) in camera coordinates in the second panel's view box (..., 2), which shows
     the whole room."""
-    own = replace(look, centre=(0.0, 0.0), target=(0.0, 0.0, 0.0))
-    room = own.all(here.seen(WALLS))
+    to_view = replace(look, centre=(0.0, 0.0), target=(0.0, 0.0, 0.0))
+    room = to_view.all(here.seen(WALLS))
     least = MARGIN - room.min(axis=0)
     most = np.array([WIDTH, HEIGHT]) - MARGIN - room.max(axis=0)
     x, y = np.clip(CAMERA_ORIGIN, least, most).tolist()
-    return replace(own, centre=(x, y)).all
+    return replace(to_view, centre=(x, y)).all
 
 
 def from_camera(here: Standpoint, look: View) -> ToPanel:
@@ -173,16 +173,16 @@ def picture_panel(here: Standpoint, raster: Raster) -> Panel:
 
 def world_panel(here: Standpoint, look: View) -> Panel:
     """The camera's place and its axes."""
-    origin, centre, own = look.all(np.zeros(3)), look.all(here.centre), from_camera(here, look)
+    origin, centre, to_view = look.all(np.zeros(3)), look.all(here.centre), from_camera(here, look)
     apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
     parts = (
         _furniture(look.all, here),
         drawing.line(origin, centre, "muted thin dashed") if apart else "",
         _drop(look.all, here.centre, "camera thin dashed"),
         _axes(look.all, "world", ("X", "Y", "Z"), here),
-        drawing.polygon(own(CAMERA_OUTLINE), "camera fill"),
-        _axes(own, "camera", ("x", "y", "z")),
-        *_handle_names(own),
+        drawing.polygon(to_view(CAMERA_OUTLINE), "camera fill"),
+        _axes(to_view, "camera", ("x", "y", "z")),
+        *_handle_names(to_view),
         _lamp(look.all, -1.0),
     )
     return Panel("world", "The room in world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
@@ -190,8 +190,8 @@ def world_panel(here: Standpoint, look: View) -> Panel:
 
 def camera_panel(here: Standpoint, look: View) -> Panel:
     """The room in camera coordinates, and the arrow t to the world's origin."""
-    place, own = to_camera(here, look), camera_to_panel(here, look)
-    centre, origin = own(np.zeros(3)), place(np.zeros(3))
+    place, to_view = to_camera(here, look), camera_to_panel(here, look)
+    centre, origin = to_view(np.zeros(3)), place(np.zeros(3))
     length = float(np.hypot(*(origin - centre)))
     apart = length > UNITS_PER_M
     along = (origin - centre) / max(length, 1.0)
@@ -204,8 +204,8 @@ def camera_panel(here: Standpoint, look: View) -> Panel:
         _axes(place, "world", ("X", "Y", "Z"), here),
         drawing.arrow(t[0], t[1], "ray bold", 9) if len(t) == 2 else "",
         _name(name, "t", "ray strong") if apart else "",
-        drawing.polygon(own(CAMERA_OUTLINE), "camera fill"),
-        _axes(own, "camera", ("x", "y", "z")),
+        drawing.polygon(to_view(CAMERA_OUTLINE), "camera fill"),
+        _axes(to_view, "camera", ("x", "y", "z")),
         _lamp(place, aside[0] * to_lamp if apart else 1.0),
     )
     title = "The same room in camera coordinates"

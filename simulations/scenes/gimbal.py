@@ -200,11 +200,11 @@ def towards(azimuth_deg: Floats | float, elevation_deg: Floats | float) -> Float
 def pictured(C: Floats, directions: Floats) -> Floats:
     """View box places (..., 2) of directions of the world, for a camera whose axes are the columns
     of ``C``; NaN beside or behind the camera."""
-    seen = directions @ C
-    depth = seen[..., 2:]
+    in_camera = directions @ C
+    depth = in_camera[..., 2:]
     inside = depth > NEAREST
     return np.asarray(
-        np.where(inside, MIDDLE + FOCAL * seen[..., :2] / np.where(inside, depth, 1.0), np.nan)
+        np.where(inside, MIDDLE + FOCAL * in_camera[..., :2] / np.where(inside, depth, 1.0), np.nan)
     )
 
 
@@ -223,8 +223,8 @@ def draw_sky(pan: float, tilt: float, roll: float, columns: int) -> Raster:
     band = GALAXY[0] * right + GALAXY[1] * down + GALAXY[2] * ahead
     light += (0.016 * np.exp(-25.0 * band * band))[..., None]
     places = fine * pictured(C, towards(*STARS))
-    seen = np.isfinite(places).all(axis=-1)
-    spots, shine = places[seen], STAR_LIGHT[seen]
+    visible = np.isfinite(places).all(axis=-1)
+    spots, shine = places[visible], STAR_LIGHT[visible]
     for row in range(-2, 3):
         for column in range(-2, 3):
             u, v = (np.floor(spots) + np.array([column, row])).astype(int).T
@@ -268,11 +268,11 @@ def _circles(C: Floats) -> str:
     turns, rises = np.linspace(0.0, 360.0, 121), np.linspace(0.0, 90.0, 31)
     curves = [towards(turns, level) for level in (15.0, 30.0, 45.0, 60.0, 75.0)]
     curves += [towards(azimuth, rises) for azimuth in np.arange(0.0, 360.0, 30.0).tolist()]
-    seen = []
+    runs_in_view = []
     for curve in curves:
         across, down = pictured(C, curve).T
-        seen += runs_inside(across, down, (0.0, WIDTH), (0.0, HEIGHT))
-    return drawing.path(seen, "light thin faint")
+        runs_in_view += runs_inside(across, down, (0.0, WIDTH), (0.0, HEIGHT))
+    return drawing.path(runs_in_view, "light thin faint")
 
 
 def _names(C: Floats) -> Iterator[str]:

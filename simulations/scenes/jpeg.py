@@ -213,10 +213,10 @@ def kilobytes(bits: float) -> str:
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The decoded picture, a block of it, and the numbers stored for it."""
     row, column, first = settings.row - 1, settings.column - 1, settings.first
-    shown, codes = outputs["wipe"], outputs["coded"].luma[row, column]
+    displayed, codes = outputs["wipe"], outputs["coded"].luma[row, column]
     stored: Size = outputs["size"]
     block_kept = int(np.count_nonzero(first_in_order(codes, first)))
-    close, place = close_up(shown, row, column)
+    close, place = close_up(displayed, row, column)
     over = over_wipe(settings.original, WIDTH, HEIGHT, ("original", "JPEG"))
     over += framed((column * SIDE, row * SIDE), SIDE)
     over += text((12, 36), f"{kilobytes(stored.bits)} kB", "large strong ground")
@@ -226,7 +226,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     in_block = "Coefficients kept in the block"
     return Frame(
         (
-            Panel("picture", "The picture before and after", *SIZE, shown, overlay=over, lead=True),
+            Panel(
+                "picture", "The picture before and after", *SIZE, displayed, overlay=over, lead=True
+            ),
             Panel(
                 "codes",
                 "The patterns the block is made of",
@@ -255,7 +257,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
 
 
-def describe(settings: Settings, psnr: float, stored: Size, block_kept: int, own: bool) -> str:
+def describe(
+    settings: Settings, psnr: float, stored: Size, block_kept: int, is_photograph: bool
+) -> str:
     """The book's or the reader's picture in one sentence."""
     rows, columns = subsampling_factor(settings.subsampling)
     each = rows * columns
@@ -273,11 +277,12 @@ def describe(settings: Settings, psnr: float, stored: Size, block_kept: int, own
         "fineness"
     )
     book = "A cat's face" if settings.picture == "cat" else "A striped balloon over tulips"
-    what, seen = ("Your own picture", "") if own else (book, visible)
+    subject, artefacts = ("Your own picture", "") if is_photograph else (book, visible)
     return (
-        f"{what} at JPEG quality {settings.quality} with {colour}{limit}: {kilobytes(stored.bits)} "
-        f"kB, {format_number(psnr, 1)} dB{', and ' if seen else ''}{seen}; {block_kept} "
-        "of the 64 luma coefficients of the framed block are kept. The left "
+        f"{subject} at JPEG quality {settings.quality} with {colour}{limit}: "
+        f"{kilobytes(stored.bits)} kB, {format_number(psnr, 1)} dB"
+        f"{', and ' if artefacts else ''}{artefacts}; {block_kept} of the 64 luma "
+        "coefficients of the framed block are kept. The left "
         f"{format_number(100 * settings.original, 0)} % of the picture are the original."
     )
 

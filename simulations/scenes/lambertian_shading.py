@@ -29,7 +29,7 @@ PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 156.0), 80.0, 60.0  # VECTOR: a unit 
 ARC = 36.0  # radius of the arc of θ
 RAY_START = 136.0  # from the plane through the sphere's centre to where parallel rays begin
 LAMP_DISTANCE = 138.0  # drawn distance of the lamp from the sphere's centre; it is far away
-BEYOND_TIP = 4.2  # from the tip of a head to that of an outline which is 1.5 units wide
+BEYOND_TIP = 4.2  # from the tip of a head to the tip of its outline, which is 1.5 units wide
 
 PLOT = Plot(Axis(0.0, 180.0, 58.0, 382.0), Axis(0.0, 1.0, 282.0, 34.0))
 ANGLES = Scale(
@@ -138,7 +138,7 @@ def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normal
     day = [plan_place(light_rad + math.pi * (step / 32 - 0.5), PLAN_RADIUS) for step in range(33)]
     probed = plan_place(probe_rad, PLAN_RADIUS)
     side = math.copysign(1.0, math.remainder(light_rad - probe_rad, 2 * math.pi))
-    # Each label is on the side away from the other; that of l is not under the lamp.
+    # Each label is on the side away from the other; the label of l is not under the lamp.
     n_label = plan_offset(probed, probe_rad - 0.2 * side, VECTOR + 2)
     l_label = plan_offset(probed, light_rad + 0.3 * side, 0.7 * VECTOR)
     parts = [

@@ -137,9 +137,9 @@ def bend(rays: Rays, k1: float, k2: float, with_k2: bool) -> Rays:
 def find_surfaces(
     rays: Rays, back: float, origin_m: float, with_area: bool, with_double: bool
 ) -> tuple[Surface, ...]:
-    seen = still_life.view(rays.directions, rays.valid, back)
+    view = still_life.view(rays.directions, rays.valid, back)
     stored = None if with_double else origin_m
-    return surfaces(replace(seen, area=with_area, float32_from=stored))
+    return surfaces(replace(view, area=with_area, float32_from=stored))
 
 
 def shade(
@@ -211,13 +211,13 @@ def complete_model(photo: str) -> Complete:
     noise = [counted(False, draw) - counted(True, draw) for draw in range(DRAWS)]
     truth = codes(mean())
     costs = {name: root_mean_square(codes(mean(name)) - truth) for name in EFFECTS}
-    whole = count_electrons(mean(), PHOTOS[photo].white_e, True)
-    return Complete(whole, truth, noise[0], {**costs, "poisson": root_mean_square(noise)})
+    complete = count_electrons(mean(), PHOTOS[photo].white_e, True)
+    return Complete(complete, truth, noise[0], {**costs, "poisson": root_mean_square(noise)})
 
 
 @dataclass(frozen=True, slots=True)
 class Taken:
-    """The picture of the model with what is switched on."""
+    """The picture of the model with the effects that are switched on."""
 
     counted: Planes
     """(3, H, W) share of white."""
@@ -227,12 +227,12 @@ class Taken:
     """Codes; the noise's share, which is independent, is added in squares."""
 
 
-def take(whole: Complete, photo: str, left: str) -> Taken:
+def take(complete: Complete, photo: str, left: str) -> Taken:
     outputs = run(MODEL, parameters(photo, left), StageCache()).outputs
-    off = codes(outputs["falloff"]) - whole.mean
+    off = codes(outputs["falloff"]) - complete.mean
     rms = root_mean_square(off)
     if "poisson" in left:
-        off, rms = off + whole.noise, math.hypot(rms, whole.costs["poisson"])
+        off, rms = off + complete.noise, math.hypot(rms, complete.costs["poisson"])
     return Taken(outputs["counted"], off, rms)
 
 
@@ -244,8 +244,10 @@ def reasons(photo: str) -> dict[str, str]:
     it, now = PHOTOS[photo], after_step(PHOTOS[photo].camera)
     principal = principal_mm(now.focal_length, now.focus)
     corner = np.array([[SENSOR_WIDTH_MM / 2, SENSOR_HEIGHT_MM / 2]]) / principal
-    seen = [undistort_clamped(corner, Distortion(k1=now.k1, k2=k2))[0] for k2 in (it.k2, 0.0)]
-    moved = float(np.linalg.norm(seen[0] - seen[1])) * principal / PITCH_MM
+    ideal_places = [
+        undistort_clamped(corner, Distortion(k1=now.k1, k2=k2))[0] for k2 in (it.k2, 0.0)
+    ]
+    moved = float(np.linalg.norm(ideal_places[0] - ideal_places[1])) * principal / PITCH_MM
     dimmer = 1.0 - float(vignetting_cos4(np.linalg.norm(corner)))
     reflected = it.floor * float(np.mean([FLOOR_LIGHT, FLOOR_DARK]))
     far = f"{it.origin_m / 1000:.0f} km" if it.origin_m >= 1000 else f"{it.origin_m:.0f} m"
@@ -271,7 +273,7 @@ def measured_time(name: str, row: float, style: str) -> str:
     return number.replace("<text", f'<text data-estimate="{name}"', 1)
 
 
-def costs(settings: Settings, whole: Complete, rms: float) -> Iterator[str]:
+def costs(settings: Settings, complete: Complete, rms: float) -> Iterator[str]:
     """The list: what leaving out each effect costs here, and what it takes."""
     half, low = BAR + BAR_WIDTH * share(HALF_A_CODE), FIRST + ROW * (len(EFFECTS) - 1) + 18
     yield line((half, FIRST - 18), (half, low), "muted thin dashed")
@@ -279,7 +281,7 @@ def costs(settings: Settings, whole: Complete, rms: float) -> Iterator[str]:
     yield text((CODES_END, FIRST - 24), "codes", "error small", "end")
     yield text((MS_END, FIRST - 24), "ms", "muted small", "end")
     for index, (name, reason) in enumerate(reasons(settings.photo).items()):
-        row, cost, inside = FIRST + ROW * index, whole.costs[name], getattr(settings, name)
+        row, cost, inside = FIRST + ROW * index, complete.costs[name], getattr(settings, name)
         yield text((6, row), LABELS[name], "strong" if inside else "muted")
         yield text((6, row + 15), reason, "muted small")
         style = "error fill" if inside else "error solid"
@@ -294,16 +296,16 @@ def costs(settings: Settings, whole: Complete, rms: float) -> Iterator[str]:
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The photograph, its difference from the complete model's, and the list of costs."""
-    whole, taken = outputs["complete"], outputs["taken"]
+    reference, taken = outputs["complete"], outputs["taken"]
     missing = [LABELS[name] for name in EFFECTS if not getattr(settings, name)]
-    planes = (whole.counted, taken.counted, taken.off)
+    planes = (reference.counted, taken.counted, taken.off)
     before, after, off = (np.moveaxis(each, 0, -1) for each in planes)
     complete, simpler = (to_rgba8(encode_srgb(picture)) for picture in (before, after))
     photograph = wiped(complete, simpler, settings.split)
     difference = to_rgba8(0.5 + MAGNIFY / 255 * off)
     names = over_wipe(settings.split, WIDTH, HEIGHT, ("complete", "simpler"))
     overlay, title = (
-        "".join(costs(settings, whole, taken.rms)),
+        "".join(costs(settings, reference, taken.rms)),
         f"Difference from the complete model, × {MAGNIFY}",
     )
     words = f"without {', '.join(missing)}" if missing else "by the complete model"
@@ -320,7 +322,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("missing", "Effects left out", len(missing), digits=0),
             *(
                 readout(f"cost_{name}", LABELS[name], cost, "codes", role="error")
-                for name, cost in whole.costs.items()
+                for name, cost in reference.costs.items()
             ),
         ),
         f"{PHOTOS[settings.photo].label}: the still life {words}, "
@@ -347,16 +349,16 @@ def times(settings: Settings, clock: Clock) -> Iterator[Readout]:
     turns, so that a busy moment falls on both; of each, the fastest counts."""
     given, stages = parameters(settings.photo), {stage.name: stage for stage in MODEL}
     outputs = run(MODEL, given, StageCache()).outputs
-    whole, without = dict.fromkeys(EFFECTS, math.inf), dict.fromkeys(EFFECTS, math.inf)
+    complete, without = dict.fromkeys(EFFECTS, math.inf), dict.fromkeys(EFFECTS, math.inf)
 
     def saved(name: str, *effects: str) -> Readout:
-        ms = 1000.0 * sum(whole[each] - without[each] for each in effects)
+        ms = 1000.0 * sum(complete[each] - without[each] for each in effects)
         return Readout(name, "Time saved", format_number(ms, 1), "ms")
 
     for _ in range(ROUNDS):
         for name, stage in EFFECTS.items():
             run_here = partial(seconds, stages[stage], outputs, clock)
-            whole[name] = min(whole[name], run_here(given))
+            complete[name] = min(complete[name], run_here(given))
             without[name] = min(without[name], run_here(parameters(settings.photo, name)))
             yield saved(name, name)
         yield saved("saved", *omitted_effects(settings)["left"].split())

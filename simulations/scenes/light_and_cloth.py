@@ -89,9 +89,9 @@ def white_xy(light: Floats) -> tuple[float, float]:
     return x, y
 
 
-def picture(seen: EyeResponse, twin: bool) -> Raster:
+def picture(response: EyeResponse, twin: bool) -> Raster:
     """The surfaces, hung side by side like cloths; twins in the lower halves."""
-    flat = chart(twin).paint((seen.here, seen.by_day), twin=twin)
+    flat = chart(twin).paint((response.here, response.by_day), twin=twin)
     cloths = flat.repeat(UNIT, axis=0).repeat(UNIT, axis=1)
     cloths[..., :3] = np.rint(cloths[..., :3] * folds()[..., None])
     return cloths
@@ -145,9 +145,9 @@ def whites(light: str) -> Floats:
     return np.array([white_xy(_spectra.light_of(light, each)) for each in kelvin.tolist()])
 
 
-def diagram(light: str, seen: EyeResponse, chosen: int, *, twin: bool) -> str:
+def diagram(light: str, response: EyeResponse, chosen: int, *, twin: bool) -> str:
     """Chromaticities of pure colours, the display's gamut, the whites, and the surfaces."""
-    pairs = xyz_to_xyy(seen.xyz)[..., :2]
+    pairs = xyz_to_xyy(response.xyz)[..., :2]
     line = whites(light if light == "daylight" else "planck")
     here = DIAGRAM.at(*pairs[0, chosen])
     parts = [
@@ -156,7 +156,7 @@ def diagram(light: str, seen: EyeResponse, chosen: int, *, twin: bool) -> str:
         *(circle(DIAGRAM.at(*xy), 3, "casing") for xy in pairs[0]),
         *(dot(DIAGRAM.at(*xy), "world", 3) for xy in pairs[0]),
         *(circle(DIAGRAM.at(*cie.D65_XY), 4, style) for style in ("casing", "")),
-        dot(DIAGRAM.at(*seen.white_xy), "light", 5),
+        dot(DIAGRAM.at(*response.white_xy), "light", 5),
     ]
     if twin:
         other = DIAGRAM.at(*pairs[1, chosen])
@@ -205,15 +205,15 @@ def horseshoe() -> Raster:
 
 
 def draw(settings: LitSurface, outputs: Outputs) -> Frame:
-    seen: EyeResponse = outputs["seen"]
+    response: EyeResponse = outputs["seen"]
     chosen = NAMES.index(settings.surface)
     pair, light = outputs["pairs"][:, chosen], outputs["light"]
     curves = spectra(light, pair, twin=settings.twin, cloth=settings.surface == "cloth")
     sent_back = _spectra.colours_under(light / light.max() * pair[0])
-    colours = diagram(settings.light, seen, chosen, twin=settings.twin)
+    colours = diagram(settings.light, response, chosen, twin=settings.twin)
     patches, names = outputs["picture"], chart(settings.twin).overlay(settings.surface)
     size = WIDTH, HEIGHT
-    x, y, luminance = xyz_to_xyy(seen.xyz[0, chosen]).tolist()
+    x, y, luminance = xyz_to_xyy(response.xyz[0, chosen]).tolist()
     return Frame(
         (
             Panel("light", "Light × cloth", *size, sent_back, overlay=curves, lead=True),
@@ -224,19 +224,19 @@ def draw(settings: LitSurface, outputs: Outputs) -> Frame:
             readout("x", "Chromaticity x", x, digits=3, role="world"),
             readout("y", "Chromaticity y", y, digits=3, role="world"),
             readout("luminance", "Luminance Y", luminance, "of white", digits=3, role="world"),
-            readout("apart", "Difference from the twin", seen.apart[chosen], "ΔE", digits=1),
+            readout("apart", "Difference from the twin", response.apart[chosen], "ΔE", digits=1),
         ),
-        describe(settings, seen, chosen),
+        describe(settings, response, chosen),
     )
 
 
-def describe(settings: LitSurface, seen: EyeResponse, chosen: int) -> str:
-    x, y = (format_number(float(each), 3) for each in xyz_to_xyy(seen.xyz[0, chosen])[:2])
+def describe(settings: LitSurface, response: EyeResponse, chosen: int) -> str:
+    x, y = (format_number(float(each), 3) for each in xyz_to_xyy(response.xyz[0, chosen])[:2])
     sentence = f"{_spectra.lit_surface(settings)} has the chromaticity x = {x}, y = {y}"
-    if _spectra.outside_gamut(seen.by_day[0, chosen]):
+    if _spectra.outside_gamut(response.by_day[0, chosen]):
         sentence += ", and by day a colour that no display can show"
     if settings.twin:
-        another = "another" if seen.apart[chosen] > VISIBLE else "the same"
+        another = "another" if response.apart[chosen] > VISIBLE else "the same"
         sentence += f"; its twin is {another} colour to the eye"
     return f"{sentence}."
 

@@ -110,12 +110,12 @@ def turned_deg(matrices: Floats) -> Floats:
 
 def traces_of(all_paths: Mapping[str, Path], view: View) -> dict[str, Floats]:
     """The places (n, 3) of the line of sight along each path: view box x, y, and depth."""
-    return {name: view.place(way(SHARES)[:, :, 2]) for name, way in all_paths.items()}
+    return {name: view.place(curve(SHARES)[:, :, 2]) for name, curve in all_paths.items()}
 
 
 def curves_of(all_paths: Mapping[str, Path]) -> dict[str, Floats]:
     """The angle (n,) turned along each path."""
-    return {name: turned_deg(way(SHARES)) for name, way in all_paths.items()}
+    return {name: turned_deg(curve(SHARES)) for name, curve in all_paths.items()}
 
 
 def view_of(azimuth: float, elevation: float) -> View:
@@ -125,7 +125,7 @@ def view_of(azimuth: float, elevation: float) -> View:
 def sphere(settings: Settings, outputs: Outputs) -> str:
     """The three cameras, and the traces of their lines of sight."""
     traces, view, chosen = outputs["traces"], outputs["view"], settings.blend
-    blends = {name: way(settings.t) for name, way in outputs["paths"].items()}
+    blends = {name: curve(settings.t) for name, curve in outputs["paths"].items()}
     behind, front = (
         [
             path(runs(trace, front=near), STYLES[name] + ("" if near else " faint"))
@@ -243,9 +243,9 @@ def sight(settings: Settings, outputs: Outputs) -> Point:
 
 
 def sight_pulled(settings: Settings, place: Point, tier: str) -> dict[str, float]:
-    way = _sight_line(settings.pan, settings.tilt, settings.roll, settings.blend, tier)
-    track = view_of(settings.azimuth, settings.elevation).place(way)
-    index = nearest(track, place, np.abs(np.arange(len(way)) - round(100 * settings.t)))
+    curve = _sight_line(settings.pan, settings.tilt, settings.roll, settings.blend, tier)
+    track = view_of(settings.azimuth, settings.elevation).place(curve)
+    index = nearest(track, place, np.abs(np.arange(len(curve)) - round(100 * settings.t)))
     return {"t": index / 100}
 
 

@@ -1,4 +1,4 @@
-"""From a spectrum to three numbers: what a sensor makes of a surface, and the intended colour.
+"""From a spectrum to three numbers: a sensor's values of a surface, and the intended colour.
 
 Light × surface × sensor → raw → balanced → sRGB; for comparison, the colour that an eye sees in
 daylight, which is the intended one. A few sums over 81 wavelengths: no tiers.
@@ -72,23 +72,23 @@ def fitted(curves: Floats, light: Floats, matrix: str) -> Floats:
     source = light if matrix == "own" else DAYLIGHT
     white = exposed(source, curves, source)
     balanced = white_balance(exposed(MEASURED * source, curves, source), white)
-    wanted = tristimulus(MEASURED * DAYLIGHT, DAYLIGHT)
-    return fit_colour_matrix(balanced, wanted, tristimulus(DAYLIGHT, DAYLIGHT))
+    target = tristimulus(MEASURED * DAYLIGHT, DAYLIGHT)
+    return fit_colour_matrix(balanced, target, tristimulus(DAYLIGHT, DAYLIGHT))
 
 
 def colours_of(light: Floats, pairs: Floats, curves: Floats, fitted: Floats) -> Colours:
     white = exposed(light, curves, light)
     raw = exposed(pairs * light, curves, light)
     balanced = white_balance(raw, white)
-    seen = balanced @ fitted.T
+    corrected = balanced @ fitted.T
     meant = tristimulus(pairs * DAYLIGHT, DAYLIGHT)
     return Colours(
         raw=raw,
         gains=white[1] / white,
         balanced=balanced,
-        srgb=xyz_to_linear_rgb(seen),
+        srgb=xyz_to_linear_rgb(corrected),
         meant=xyz_to_linear_rgb(meant),
-        error=lab_distance(xyz_to_lab(seen), xyz_to_lab(meant)),
+        error=lab_distance(xyz_to_lab(corrected), xyz_to_lab(meant)),
     )
 
 
@@ -108,7 +108,7 @@ def pictures(
     """(320, 400, 4) a photograph in the four steps of `ROWS`.
 
     Each of its pixels is taken for the mixture of `PAINTS` that looks so by day. The three numbers
-    of any other sensor, in any light, are then a matrix times those of the pixel.
+    of any other sensor, in any light, are then a matrix times the values of the pixel.
     """
     codes = photograph.codes if photograph else coffee.codes()
     by_day = decode_srgb(np.float32(1 / 255) * codes)

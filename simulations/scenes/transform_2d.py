@@ -67,8 +67,8 @@ def matrix(settings: Settings) -> Floats:
 
 def square_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
     """Original and image on common axes."""
-    pulled = settings.pull_x != 0.0 or settings.pull_y != 0.0
-    matrices = family.matrices_of_amounts(settings.transform)[: 0 if pulled else None : 4]
+    moved = settings.pull_x != 0.0 or settings.pull_y != 0.0
+    matrices = family.matrices_of_amounts(settings.transform)[: 0 if moved else None : 4]
     parts = (
         plane.axes(),
         plane.figure(np.eye(3), "world"),
@@ -135,8 +135,8 @@ def verdict(change: float, unit: str) -> str:
         return "kept"
     if math.isinf(change):
         return "changed without bound"
-    shown = math.degrees(change) if unit == "°" else 100.0 * change
-    return f"changed by up to {format_number(shown, 1)}{unit}"
+    amount = math.degrees(change) if unit == "°" else 100.0 * change
+    return f"changed by up to {format_number(amount, 1)}{unit}"
 
 
 def point_readouts(H: Floats, point: Floats) -> tuple[Readout, ...]:
@@ -161,7 +161,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         if math.isinf(ratio)
         else f"has an image of {format_number(ratio, 2)} times its area"
     )
-    kept = ", ".join(label.lower() for _, label, change, _ in changes if change <= ROUNDING)
+    preserved = ", ".join(label.lower() for _, label, change, _ in changes if change <= ROUNDING)
     return Frame(
         (square_panel(settings, H, point), hierarchy_panel(settings.transform)),
         (
@@ -171,7 +171,8 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
             *(Readout(name, label, verdict(change, unit)) for name, label, change, unit in changes),
             *point_readouts(H, point),
         ),
-        f"The square under {rung.phrase} {size}; kept: {kept}. {plane.describe_point(H, point)}",
+        f"The square under {rung.phrase} {size}; kept: {preserved}. "
+        f"{plane.describe_point(H, point)}",
     )
 
 
@@ -191,7 +192,7 @@ def corner_pulled(settings: Settings, place: Point) -> dict[str, float]:
 
 def family_pulled(_settings: Settings, place: Point) -> dict[str, str]:
     """The smallest family whose frame contains the place, the largest outside of all; places up to
-    half way between two marks are those of the lower one."""
+    half way between two marks belong to the lower one."""
     x, y = place[0], place[1] - 14.0
     for name in RUNGS:
         left, top, right, bottom = frame_of(name)

@@ -105,22 +105,22 @@ def samples_of(camera: Camera, width: int, height: int) -> tuple[Samples, Number
     """The pixels of a picture and, behind them, the four quarters of each pixel (n,) at an edge;
     the surface of these pixels is `NOTHING`."""
     x, y = pixels(width, height)
-    seen = trace(camera, x, y)
-    edges = np.flatnonzero(_edges(seen.surface))
+    hits = trace(camera, x, y)
+    edges = np.flatnonzero(_edges(hits.surface))
     middles = edges % width, edges // width
     columns, rows = (
         (middle.astype(np.float32)[:, None] + offsets).reshape(1, -1)
         for middle, offsets in zip(middles, QUARTERS.T, strict=True)
     )
-    finer_seen = trace(camera, columns, rows)
-    seen.surface.reshape(-1)[edges] = NOTHING
+    finer_hits = trace(camera, columns, rows)
+    hits.surface.reshape(-1)[edges] = NOTHING
     both = (
-        np.concatenate([whole.ravel(), quarters.ravel()])
-        for whole, quarters in (
-            (np.broadcast_to(x, seen.surface.shape), columns),
-            (np.broadcast_to(y, seen.surface.shape), rows),
-            (seen.nearness, finer_seen.nearness),
-            (seen.surface, finer_seen.surface),
+        np.concatenate([pixel_values.ravel(), quarters.ravel()])
+        for pixel_values, quarters in (
+            (np.broadcast_to(x, hits.surface.shape), columns),
+            (np.broadcast_to(y, hits.surface.shape), rows),
+            (hits.nearness, finer_hits.nearness),
+            (hits.surface, finer_hits.surface),
         )
     )
     across, down, nearness, surface = both

@@ -19,10 +19,10 @@ def runs_inside(across: np.ndarray, down: np.ndarray, x: Span, y: Span) -> list[
     if inside.all():
         return [places] if len(places) > 1 else []
     runs: list[Run] = [[]]
-    shown, finite = inside.tolist(), known.tolist()
+    visible, finite = inside.tolist(), known.tolist()
     for n, place in enumerate(places[1:], start=1):
         piece: tuple[Place, Place] | None = None
-        if shown[n - 1] and shown[n]:
+        if visible[n - 1] and visible[n]:
             piece = places[n - 1], place
         elif finite[n - 1] and finite[n]:
             piece = clipped(places[n - 1], place, x, y)

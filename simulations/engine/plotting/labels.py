@@ -115,23 +115,23 @@ def place_labels(
     """SVG of the labels, which avoid ``curves`` if possible and the rectangles ``taken``."""
     hidden = _along(curves)
     boxes, marks = list(taken), []
-    for wanted in labels:
-        best = _best(_places(wanted, inside), inside, boxes, hidden)
+    for entry in labels:
+        best = _best(_places(entry, inside), inside, boxes, hidden)
         boxes.append(best.box)
         end = best.box.nearest(best.point)
-        if wanted.leader and math.dist(end, best.point) > APART * wanted.distance:
-            marks.append(line(end, best.point, wanted.leader))
-        marks.append(label(best.baseline, wanted.words, wanted.style, best.anchor))
+        if entry.leader and math.dist(end, best.point) > APART * entry.distance:
+            marks.append(line(end, best.point, entry.leader))
+        marks.append(label(best.baseline, entry.words, entry.style, best.anchor))
     return "".join(marks)
 
 
-def _places(wanted: Label, inside: Rectangle) -> Iterator[Placed]:
-    sides = [SIDES[wanted.prefer], *(s for name, s in SIDES.items() if name != wanted.prefer)]
-    size = wanted.scale * size_of(wanted.style)
-    width, height = wanted.scale * width_of(wanted.words, wanted.style), (ASCENT + DESCENT) * size
-    for farther in FARTHER + WITH_LEADER * bool(wanted.leader):
-        away = wanted.distance * farther
-        for (right, down), point in product(sides, (wanted.point, *wanted.others)):
+def _places(entry: Label, inside: Rectangle) -> Iterator[Placed]:
+    sides = [SIDES[entry.prefer], *(s for name, s in SIDES.items() if name != entry.prefer)]
+    size = entry.scale * size_of(entry.style)
+    width, height = entry.scale * width_of(entry.words, entry.style), (ASCENT + DESCENT) * size
+    for farther in FARTHER + WITH_LEADER * bool(entry.leader):
+        away = entry.distance * farther
+        for (right, down), point in product(sides, (entry.point, *entry.others)):
             slant = 0.7 if right and down else 1.0
             x = float(point[0]) + right * away * slant
             middle = float(point[1]) + down * (away * slant + 0.5 * height)
@@ -176,7 +176,7 @@ def _along(curves: Iterable[Sequence[Point]]) -> np.ndarray:
             found.append(places.reshape(-1, 2))
             continue
         steps = np.hypot(*np.diff(places, axis=0).T)
-        way = np.concatenate(([0.0], np.cumsum(steps)))
-        at = np.linspace(0.0, way[-1], max(2, int(np.ceil(way[-1] / SPACING)) + 1))
-        found.append(np.stack([np.interp(at, way, places[:, n]) for n in (0, 1)], axis=-1))
+        lengths = np.concatenate(([0.0], np.cumsum(steps)))
+        at = np.linspace(0.0, lengths[-1], max(2, int(np.ceil(lengths[-1] / SPACING)) + 1))
+        found.append(np.stack([np.interp(at, lengths, places[:, n]) for n in (0, 1)], axis=-1))
     return np.concatenate(found)

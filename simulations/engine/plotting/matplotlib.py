@@ -27,10 +27,14 @@ def plots_of(figure: Any) -> Iterator[tuple[str, Plot]]:
         log = "".join(name for name in "xy" if getattr(axes, f"get_{name}scale")() == "log")
         limits = axes.get_xlim(), axes.get_ylim()
         plot = Plot.of(axes.get_xlabel(), limits[0], axes.get_ylabel(), limits[1], log=log)
-        own = (axes.patch, axes.title, axes._left_title, axes._right_title)
+        decorations = (axes.patch, axes.title, axes._left_title, axes._right_title)
         for artist in sorted(axes.get_children(), key=lambda each: each.get_zorder()):
             kind = type(artist).__name__
-            if any(artist is each for each in own) or kind in FRAME or not artist.get_visible():
+            if (
+                any(artist is each for each in decorations)
+                or kind in FRAME
+                or not artist.get_visible()
+            ):
                 continue
             style = _style(artist, kind, roles)
             plot = plot.showing(*_marks(artist, kind, style, plot, axes.transData))

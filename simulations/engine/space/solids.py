@@ -105,7 +105,10 @@ def _placed(solids: Sequence[Solid], view: View) -> list[list[list[float]]]:
         return []
     places = view.place(np.concatenate(points)).tolist()
     ends = list(accumulate(map(len, points)))
-    return [places[end - len(own) : end] for end, own in zip(ends, points, strict=True)]
+    return [
+        places[end - len(solid_points) : end]
+        for end, solid_points in zip(ends, points, strict=True)
+    ]
 
 
 def _points(solid: Solid) -> Points:

@@ -44,13 +44,13 @@ class View:
 
         x and y are NaN for points too near to the eye, or behind it.
         """
-        seen = (np.asarray(points, float) - self.target) @ self.axes.T
-        depth = seen[..., 2:]
-        flat = seen[..., :2]
+        camera_points = (np.asarray(points, float) - self.target) @ self.axes.T
+        depth = camera_points[..., 2:]
+        flat = camera_points[..., :2]
         if math.isfinite(self.distance):
             before = self.distance + depth
-            shown = before >= NEAREST * self.distance
-            flat = np.where(shown, flat * self.distance / np.where(shown, before, 1.0), np.nan)
+            visible = before >= NEAREST * self.distance
+            flat = np.where(visible, flat * self.distance / np.where(visible, before, 1.0), np.nan)
         return np.concatenate([flat * self.unit + self.centre, depth], axis=-1)
 
     def all(self, points: ArrayLike) -> Points:

@@ -35,7 +35,7 @@ _CORNERS = np.vstack([SQUARE.T, np.ones(4)])
 
 
 def transformation(kind: str, amount: float) -> Floats:
-    """The matrix of a family: that of the family below it, with one more freedom in use."""
+    """The matrix of a family: the matrix of the family below it, with one more freedom in use."""
     tx, ty = amount, amount / 2.0
     if kind == "translation":
         return transforms.translation(tx, ty)
@@ -120,14 +120,14 @@ def _tilted(H: Floats, away: Floats) -> Floats:
     fixed = _CORNERS[:, FIXED["projective"]] * [1.0, -1.0, 1.0]
     images = H @ fixed
     ends = np.stack([pulled_corner(H), pulled_corner(H) + away], axis=-1)
-    rest, wanted = np.linalg.solve(images, np.insert(ends, 2, 1.0, axis=0)).T
-    weights = rest + _share_left(rest, wanted) * (wanted - rest)
+    rest, target = np.linalg.solve(images, np.insert(ends, 2, 1.0, axis=0)).T
+    weights = rest + _share_left(rest, target) * (target - rest)
     moved = (images * weights) @ np.linalg.inv(fixed)
     return np.asarray(moved / moved[2, 2])
 
 
-def _share_left(rest: Floats, wanted: Floats) -> float:
+def _share_left(rest: Floats, target: Floats) -> float:
     """Largest share of the step from positive numbers to others that leaves `FLAT` of them."""
-    short = wanted < FLAT * rest
-    step = np.where(short, rest - wanted, 1.0)
+    short = target < FLAT * rest
+    step = np.where(short, rest - target, 1.0)
     return float(np.where(short, (1.0 - FLAT) * rest / step, 1.0).min())

@@ -154,15 +154,15 @@ def corners(kind: str, H: Floats) -> Iterator[str]:
             yield drawing.rectangle(place - 4.0, 8.0, 8.0, "image solid faint")
 
 
-def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
+def point_and_image(H: Floats, matrices: Floats, point: Floats) -> str:
     """P, its image P′ and their coordinates.
 
-    ``way`` (N, 3, 3) are the matrices of all amounts: P′ slides along a curve, of which the part on
-    its side of infinity is drawn. Without any there is no curve.
+    ``matrices`` (N, 3, 3) are the matrices of all amounts: P′ slides along a curve, of which the
+    part on its side of infinity is drawn. Without any there is no curve.
     """
     before = to_view(point)
     image, valid = apply_homography(H, point)
-    parts = [drawing.path(_track(way, point, H), "image thin faint")] if len(way) else []
+    parts = [drawing.path(_track(matrices, point, H), "image thin faint")] if len(matrices) else []
     torn = sign_of_w(H, point) != sign_of_w(H, (0.0, 0.0))
     after = in_frame(image[None], closed=False) if valid else np.empty((0, 2))
     if len(after):
@@ -177,15 +177,15 @@ def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
     return "".join(parts)
 
 
-def _track(way: Floats, point: Floats, H: Floats) -> list[Floats]:
+def _track(matrices: Floats, point: Floats, H: Floats) -> list[Floats]:
     """Runs of places (n, 2) of P′ on its side of infinity, interrupted where it is out of view."""
-    images = way @ np.array([*point, 1.0])
+    images = matrices @ np.array([*point, 1.0])
     w = images[:, 2]
     places = to_view(images[:, :2] / np.where(w == 0.0, np.nan, w)[:, None])
-    seen = np.all((places >= -4.0) & (places <= [WIDTH + 4.0, HEIGHT + 4.0]), axis=1)
-    seen &= np.sign(w) == sign_of_w(H, point)
-    parted = np.flatnonzero(np.diff(seen)) + 1
-    runs = zip(np.split(places, parted), np.split(seen, parted), strict=True)
+    near = np.all((places >= -4.0) & (places <= [WIDTH + 4.0, HEIGHT + 4.0]), axis=1)
+    near &= np.sign(w) == sign_of_w(H, point)
+    parted = np.flatnonzero(np.diff(near)) + 1
+    runs = zip(np.split(places, parted), np.split(near, parted), strict=True)
     return [run for run, visible in runs if visible[0] and len(run) > 1]
 
 
@@ -202,7 +202,7 @@ def _name_of_image(point: Floats, place: Floats) -> str:
 
 
 def area_ratio(H: Floats) -> float:
-    """Area of the square's image over that of the square; infinite if it is cut."""
+    """Ratio of the areas of the square's image and the square; infinite if it is cut."""
     image = image_of(H, SQUARE)
     return math.inf if image.cut else area(image.points) / area(SQUARE)
 

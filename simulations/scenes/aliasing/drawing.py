@@ -64,10 +64,10 @@ def sample_frame(pattern: Pattern) -> str:
     return framed(pattern.start * unit, row * unit, sample_count(pattern.rate) * unit, unit)
 
 
-def pixel_frame(own: SampledPhotograph, rate: float) -> str:
+def pixel_frame(photograph: SampledPhotograph, rate: float) -> str:
     """The frame around the pixels of the reader's picture that are shown."""
-    unit = WIDTH / own.linear.shape[1]
-    return framed(FIRST * rate * unit, own.row * unit, SHOWN * rate * unit, unit)
+    unit = WIDTH / photograph.linear.shape[1]
+    return framed(FIRST * rate * unit, photograph.row * unit, SHOWN * rate * unit, unit)
 
 
 def framed(left: float, top: float, width: float, height: float) -> str:
@@ -109,11 +109,14 @@ def row_of(pattern: Pattern, kernel: Prefilter) -> str:
     )
 
 
-def photograph_row(own: SampledPhotograph, filtered: bool) -> str:
+def photograph_row(photograph: SampledPhotograph, filtered: bool) -> str:
     """The second panel for the reader's picture."""
-    x = np.linspace(0, SHOWN - 1, own.curve.size)
-    behind = 2 * own.filtered - 1 if filtered else None
-    parts = [*curves(x, 2 * own.curve - 1, behind, None), *dots(own.places, 2 * own.samples - 1)]
+    x = np.linspace(0, SHOWN - 1, photograph.curve.size)
+    behind = 2 * photograph.filtered - 1 if filtered else None
+    parts = [
+        *curves(x, 2 * photograph.curve - 1, behind, None),
+        *dots(photograph.places, 2 * photograph.samples - 1),
+    ]
     return "".join((*parts, row_legend(filtered, aliased=False, name="light")))
 
 
@@ -182,14 +185,14 @@ def row_legend(filtered: bool, aliased: bool, name: str = "wave") -> str:
 
 
 def spectrum(
-    pattern: Pattern, kernel: Prefilter, remaining: float, own: SampledPhotograph | None
+    pattern: Pattern, kernel: Prefilter, remaining: float, photograph: SampledPhotograph | None
 ) -> str:
     """The third panel; ``remaining`` is the amplitude in the samples."""
     rate, frequency = pattern.rate, pattern.frequency * pattern.rate
     x, foot = SPECTRUM.at(NYQUIST * rate, 0.0)
     at = np.linspace(0.0, SPECTRUM_TO, 121)
-    behind = detail(own) if own else ""
-    if pattern.kind == "zone_plate" and not own:  # it has every frequency up to that of its edge
+    behind = detail(photograph) if photograph else ""
+    if pattern.kind == "zone_plate" and not photograph:  # it has every frequency up to its edge's
         behind = line(SPECTRUM.at(0.0, 0.0), SPECTRUM.at(frequency, 0.0), "world bold")
     return "".join(
         (
@@ -205,10 +208,12 @@ def spectrum(
     )
 
 
-def detail(own: SampledPhotograph) -> str:
+def detail(photograph: SampledPhotograph) -> str:
     """The spectrum of the reader's picture."""
-    frequencies = (np.arange(own.detail.size) * FINE / PHOTOGRAPH_PX[0]).tolist()
-    shape = [SPECTRUM.at(f, a) for f, a in zip(frequencies, own.detail.tolist(), strict=True)]
+    frequencies = (np.arange(photograph.detail.size) * FINE / PHOTOGRAPH_PX[0]).tolist()
+    shape = [
+        SPECTRUM.at(f, a) for f, a in zip(frequencies, photograph.detail.tolist(), strict=True)
+    ]
     ends = SPECTRUM.at(frequencies[-1], 0), SPECTRUM.at(0, 0)
     words = text((12, SPECTRUM.y.start + 41), "your picture, by octaves", "world small")
     return polygon([*shape, *ends], "world fill thin") + words

@@ -189,12 +189,12 @@ def photograph_light(photograph: Photograph | None) -> PhotographLight | None:
 
 
 def sample_photograph(
-    own: PhotographLight | None, prefilter: str, rate: float
+    photograph: PhotographLight | None, prefilter: str, rate: float
 ) -> SampledPhotograph | None:
     """Filter the picture and sample it; None if the book's pattern is shown."""
-    if own is None:
+    if photograph is None:
         return None
-    light, grey = own.linear, own.grey
+    light, grey = photograph.linear, photograph.grey
     height, width = grey.shape
     kernel, point = prefilters.prefilter(prefilter), prefilters.prefilter("none")
     across, up = (grid_places(length, rate) for length in (width, height))
@@ -215,7 +215,7 @@ def sample_photograph(
         samples=luminance(linear[row, inside]),
         curve=(before @ weights(fine, point, rate, width).T)[0],
         filtered=(behind @ weights(fine, kernel, rate, width).T)[0],
-        detail=own.detail,
+        detail=photograph.detail,
     )
 
 

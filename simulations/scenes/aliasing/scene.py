@@ -67,7 +67,7 @@ def pattern_at(settings: Settings) -> Pattern:
 
 
 def picture(
-    own: SampledPhotograph | None,
+    photograph: SampledPhotograph | None,
     pattern: str,
     frequency: float,
     phase: float,
@@ -75,29 +75,29 @@ def picture(
     rate: float,
 ) -> Raster:
     """The sampled picture."""
-    if own:
-        return own.raster
+    if photograph:
+        return photograph.raster
     sampled, kernel = pattern_of(pattern, frequency, phase, rate), prefilters.prefilter(prefilter)
-    shown = shirt_light(sampled, kernel) if pattern == "stripes" else sampled.picture(kernel)
-    return to_rgba8(encode_srgb(np.clip(shown, 0.0, 1.0)))
+    linear = shirt_light(sampled, kernel) if pattern == "stripes" else sampled.picture(kernel)
+    return to_rgba8(encode_srgb(np.clip(linear, 0.0, 1.0)))
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    own: SampledPhotograph | None = outputs["own picture"]
+    photograph: SampledPhotograph | None = outputs["own picture"]
     pattern, kernel = pattern_at(settings), prefilters.prefilter(settings.prefilter)
     left = float(prefilters.transfer(kernel, pattern.frequency))
     passed = abs(left)
-    if own:
+    if photograph:
         remaining, words = passed, describe_photograph(settings, pattern, passed)
-        over = drawing.pixel_frame(own, pattern.rate)
-        row = drawing.photograph_row(own, kernel.weights.size > 1)
+        over = drawing.pixel_frame(photograph, pattern.rate)
+        row = drawing.photograph_row(photograph, kernel.weights.size > 1)
     else:
         remaining = amplitude_in_samples(pattern, left)
         words = describe(settings, pattern, passed, remaining)
         ring = drawing.nyquist_ring(pattern) if pattern.kind == "zone_plate" else ""
         over, row = ring + drawing.sample_frame(pattern), drawing.row_of(pattern, kernel)
-    title = f"The framed pixels: the {'light' if own else 'wave'} and its samples"
-    fold, raster = drawing.spectrum(pattern, kernel, remaining, own), outputs["picture"]
+    title = f"The framed pixels: the {'light' if photograph else 'wave'} and its samples"
+    fold, raster = drawing.spectrum(pattern, kernel, remaining, photograph), outputs["picture"]
     alias, nyquist = pattern.alias * pattern.rate, NYQUIST * pattern.rate
     period = 1.0 / alias if alias > 0.005 else math.inf
     return Frame(
@@ -122,7 +122,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("kept", "The samples keep", remaining, "of the wave", digits=3, role="image"),
         ),
         words,
-        sound=None if own else tone(pattern, remaining),
+        sound=None if photograph else tone(pattern, remaining),
     )
 
 
@@ -150,14 +150,14 @@ def describe(settings: Settings, pattern: Pattern, passed: float, remaining: flo
     """The true and the apparent wave, and its amplitude."""
     frequency, stripes = settings.frequency, settings.pattern == "stripes"
     alias = pattern.alias * pattern.rate
-    what = "A shirt's stripes" if stripes else "Rings that at the left and right edges reach"
-    true = f"{what} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
+    subject = "A shirt's stripes" if stripes else "Rings that at the left and right edges reach"
+    true = f"{subject} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
     if settings.rate != 1:
         true += f" at {rate_in_words(settings)}"
     strength = f"{format_number(100 * remaining, 0)} % of their amplitude"
     if frequency == 0:
         return (
-            f"{what} of no frequency: the picture has the same tone everywhere."
+            f"{subject} of no frequency: the picture has the same tone everywhere."
             if stripes
             else "Rings without an end: the whole picture is the centre of the zone plate."
         )
@@ -199,9 +199,9 @@ def rate_in_words(settings: Settings) -> str:
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """RMS difference from the ideal picture, in one step."""
-    own: SampledPhotograph | None = outputs["own picture"]
-    if own:
-        off = own.linear - light.ideal_photograph(outputs["photograph"], settings.rate)
+    photograph: SampledPhotograph | None = outputs["own picture"]
+    if photograph:
+        off = photograph.linear - light.ideal_photograph(outputs["photograph"], settings.rate)
     else:
         pattern = pattern_at(settings)
         truth, certain = light.ideal(pattern)

@@ -123,11 +123,11 @@ def paste(picture: Raster, of: Sphere, light: LitSphere, albedo: float, middle: 
     """Put the square of a sphere, with the wall around it, into the picture."""
     linear = light.mirrored + light.matte * (np.float32(albedo) * TINT)
     mixed = WALL + of.cover[light.pixels] * (linear - WALL)
-    shown = of.unlit.copy()
-    shown.reshape(-1, 4)[light.pixels] = to_rgba8(encode_srgb_table(mixed)[None])[0]
-    size = len(shown)
+    raster = of.unlit.copy()
+    raster.reshape(-1, 4)[light.pixels] = to_rgba8(encode_srgb_table(mixed)[None])[0]
+    size = len(raster)
     left, top = (round(FINE * each - size / 2) for each in (middle[0], middle[1]))
-    picture[top : top + size, left : left + size] = shown
+    picture[top : top + size, left : left + size] = raster
 
 
 def on_equator(angle_deg: float) -> tuple[float, float]:

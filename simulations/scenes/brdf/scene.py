@@ -123,8 +123,7 @@ def towards(angle_deg: float, length: float) -> tuple[float, float]:
 
 
 def lobe_plot(light_deg: float, view_deg: float, lobe: Floats, seen: float) -> str:
-    """Light, camera, and the lobe: brightness (90,) by direction; ``seen`` is that of the
-    camera."""
+    """Light, camera, and the lobe: brightness (90,) by direction, ``seen`` towards the camera."""
     unit = min(UNIT, LONGEST / max(float(lobe.max()), 1e-9))
     outline = [
         towards(a, unit * b) for a, b in zip(AROUND_DEG.tolist(), lobe.tolist(), strict=True)
@@ -163,7 +162,7 @@ def surface(unit: float) -> Iterator[str]:
 
 
 def energy_plot(curve: Floats, angle_deg: float, sent: float, head_on: float | None) -> str:
-    """The reflected share (23,), that of a smooth facet, and the present light."""
+    """The reflected share (23,), the share of a smooth facet, and the present light."""
     return "".join(
         (
             energy_ground(),

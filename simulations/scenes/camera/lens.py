@@ -129,8 +129,8 @@ def lens_map(
     rows, columns = (size * reduction for size in straight.valid.shape)
     pitch = PITCH_MM / principal_mm(focal_length, focus)
     x, y = (np.arange(COLUMNS // 2) + 0.5) * pitch, (np.arange(ROWS // 2) + 0.5) * pitch
-    seen = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)
-    ideal, _ = undistort_clamped(seen, Distortion(k1=k1))
+    distorted = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)
+    ideal, _ = undistort_clamped(distorted, Distortion(k1=k1))
     table = cubic_warp(
         four_quarters(ideal[..., 0] / pitch, -1, 1) + (columns - 1) / 2,
         four_quarters(ideal[..., 1] / pitch, 1, -1) + (rows - 1) / 2,

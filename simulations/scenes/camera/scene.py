@@ -1,5 +1,5 @@
 """Interactive Camera Simulator: every stage of image formation at once, on a still life, and a plan
-of camera, wedge of view, things, and what is in focus."""
+of camera, wedge of view, things, and the planes in focus."""
 
 import math
 from collections.abc import Iterator
@@ -105,8 +105,8 @@ def plan(
     yield drawing.arrow(start, lamp_at(settings, None, 2.3), "light bold")
     yield drawing.circle(start, 5.0, "light solid")
     x, row = lens
-    seen = f"{math.degrees(view_rad):.0f}°"
-    caption = f"{seen} at {focal_length:.0f} mm" if back else seen
+    angle = f"{math.degrees(view_rad):.0f}°"
+    caption = f"{angle} at {focal_length:.0f} mm" if back else angle
     yield drawing.rectangle((x - 13, row + 5), 26, 15, "camera fill")
     yield drawing.rectangle((x - 6, row - 1), 12, 6, "camera solid")
     yield drawing.text((x + 20, row + 17), caption, "camera strong")
@@ -210,7 +210,8 @@ def middle(_settings: Settings, _outputs: Outputs) -> Point:
 
 
 def focus_on(settings: Settings, place: Point) -> dict[str, float]:
-    """Focus on what the lens images at a place of the photograph, if any ray arrives there."""
+    """Focus on the point that the lens images at a place of the photograph, if any ray arrives
+    there."""
     now = after_step(settings)
     principal = principal_mm(now.focal_length, now.focus)
     across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM / principal

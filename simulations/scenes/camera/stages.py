@@ -71,7 +71,7 @@ def level(
 
 BOWED = "bowed"
 """The level at which k₁ costs least: one straight picture, drawn with the widest margin that any k₁
-of the slider needs, is bent anew. Elsewhere the margin is that of the present k₁."""
+of the slider needs, is bent anew. Elsewhere the margin fits the present k₁."""
 LEVELS = (
     level("draft", "A ray for four pixels", reduction=2),
     level(SCALED, SCALED_LABEL),
@@ -181,7 +181,7 @@ def draw_grain(new_noise: int) -> Grain:
 
 
 def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
-    """Light on the sensor, relative to that of the same surface on the axis."""
+    """Light on the sensor, relative to the light of the same surface on the axis."""
     x, y = centred(COLUMNS) * PITCH_MM, centred(ROWS) * PITCH_MM
     falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
     return radiance * falloff.astype(np.float32)

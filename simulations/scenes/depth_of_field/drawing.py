@@ -36,9 +36,9 @@ def disc_scale(largest_mm: float, half: float) -> float:
 
     A magnification of a thousand is enough: smaller discs are drawn as points.
     """
-    wanted = min(2 * LARGEST_DISC * half / max(largest_mm, 1e-9), 1000.0)
-    power = 10.0 ** math.floor(math.log10(wanted))
-    return max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-12))
+    largest_scale = min(2 * LARGEST_DISC * half / max(largest_mm, 1e-9), 1000.0)
+    power = 10.0 ** math.floor(math.log10(largest_scale))
+    return max(step * power for step in (1, 2, 5) if step * power <= largest_scale * (1 + 1e-12))
 
 
 def lens_diagram(sharp: Sharpness, focus_m: float) -> str:

@@ -126,10 +126,10 @@ def readouts(sharp: stages.Sharpness | None, hyperfocal_m: float) -> tuple[Reado
 def describe_refusal(settings: Settings) -> str:
     """Why a focus at the focal length or nearer has no picture."""
     focal, focus_mm = settings.focal_length, 1000 * settings.focus
-    place, way = ("at", "parallel") if focus_mm == focal else ("inside", "spreading")
+    place, behaviour = ("at", "parallel") if focus_mm == focal else ("inside", "spreading")
     return (
         f"No picture: an object at {focus_mm:.0f} mm lies {place} the focal length of "
-        f"{focal:.0f} mm. Its light leaves the lens {way}, and no sensor can catch an image."
+        f"{focal:.0f} mm. Its light leaves the lens {behaviour}, and no sensor can catch an image."
     )
 
 
@@ -142,12 +142,12 @@ def describe(settings: Settings, sharp: stages.Sharpness) -> str:
     near, far = (
         format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
-    seen = " and ".join(
+    visible = " and ".join(
         f"the {name} {'sharp' if blur <= PITCH_MM else 'blurred'}"
         for name, blur in (("red ball", sharp.near_blur_mm), ("wall", sharp.far_blur_mm))
     )
     return (
-        f"Balls and boxes on a chequered floor, {seen}. At {settings.focal_length:.0f} mm and "
+        f"Balls and boxes on a chequered floor, {visible}. At {settings.focal_length:.0f} mm and "
         f"f/{settings.aperture:.1f} the lens is focused at {settings.focus:.2f} m and sharp "
         f"{reach}; points of the red ball spread to discs of {near} pixels, those of the wall to "
         f"{far}."

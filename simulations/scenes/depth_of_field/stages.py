@@ -227,13 +227,13 @@ def estimates(
     The rays form a grid that no tier uses; the wider the widest disc, the finer the grid.
     """
     repeated = len(picture) // len(rays.valid)
-    seen = picture[::repeated, ::repeated, :3].astype(np.float32)
+    measured = picture[::repeated, ::repeated, :3].astype(np.float32)
     across = math.ceil(1.5 * widest_px(focal_length, aperture, focus))
     points = aperture_grid(min(max(across, FEWEST_ACROSS), MOST_ACROSS))
-    total = np.zeros((3, *seen.shape[:2]), np.float32)
+    total = np.zeros((3, *measured.shape[:2]), np.float32)
     for count, at in enumerate(points, start=1):
         total += through_lens(rays, at, LIGHT_ANGLE_DEG, focal_length, aperture, focus)
-        off = seen - encode(np.asarray(total / count, np.float32))[..., :3]
+        off = measured - encode(np.asarray(total / count, np.float32))[..., :3]
         codes = format_number(root_mean_square(off), 2)
         label = f"RMS error against {count} of {len(points)} rays through the lens"
         yield Readout("error", label, codes, "codes of 255", role="error")

@@ -251,7 +251,7 @@ def sensor_cells(journey: Journey, corner: Point) -> str:
 
 
 def light_tile(journey: Journey, corner: Point) -> str:
-    """The point's light in the middle of that of a white wall that faces the lamp."""
+    """The light of the point in a field with the light of a white wall that faces the lamp."""
     inner = (corner[0] + SIDE / 4, corner[1] + SIDE / 4)
     return grey(corner, SIDE, 1.0) + grey(inner, SIDE / 2, journey.relative_light)
 
@@ -301,7 +301,7 @@ def draw_ledger(entries: Sequence[Station], station: float) -> str:
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     journey: Journey = outputs["journey"]
     entries, station = stations(journey), settings.station
-    way = draw_path(journey, settings.distance, station)
+    path_markup = draw_path(journey, settings.distance, station)
     ledger, title = draw_ledger(entries, station), "What is known after each step"
     electrons, code, entry = journey.counted_e, journey.code, entries[int(station)]
     return Frame(
@@ -312,7 +312,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 WIDTH,
                 HEIGHT,
                 outputs["picture"],
-                overlay=way,
+                overlay=path_markup,
                 lead=True,
             ),
             Panel("ledger", title, LEDGER_WIDTH, LEDGER_HEIGHT, overlay=ledger),

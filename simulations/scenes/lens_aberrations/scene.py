@@ -131,8 +131,8 @@ def bundle(low: float, high: float, stop: float) -> Iterator[str]:
     if low < 0.0 < high:
         yield line(start(0.0, stop), at(0.0, height_at(0.0, stop, 0.0)), "light thin")
     if stop < 0:
-        seen = [at(-stop, height) for height in (low, high)]
-        yield path(zip(ends, seen, strict=True), "light thin dashed")
+        edges = [at(-stop, height) for height in (low, high)]
+        yield path(zip(ends, edges, strict=True), "light thin dashed")
 
 
 def refracted(height: float, stop: float, shift: float) -> tuple[Point, Point]:
@@ -210,7 +210,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 
 
 def describe(
-    settings: Settings, shift: float, discs: Floats, share: float, own: Photograph | None
+    settings: Settings, shift: float, discs: Floats, share: float, photograph: Photograph | None
 ) -> str:
     if abs(shift) < 0.005:
         fringe = "no coloured fringes in the corners"
@@ -221,7 +221,7 @@ def describe(
     soft = f"discs of up to {widest:.1f} pixels" if widest > 1 else "all colours sharp"
     side = "before" if settings.stop > 0 else "behind"
     where = f"{abs(settings.stop):.0f} mm {side} it" if settings.stop else "in it"
-    subject = "Your own picture" if own else SUBJECTS[settings.picture]
+    subject = "Your own picture" if photograph else SUBJECTS[settings.picture]
     return (
         f"{subject} through a simple lens at f/{settings.aperture:.1f}, with the aperture stop "
         f"{where}: {fringe}, {soft}, and {100 * share:.0f}\u00a0% of the centre’s light in the "

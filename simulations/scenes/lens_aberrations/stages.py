@@ -57,7 +57,7 @@ FIRST_ROUND = 9  # least count of reference wavelengths: with fewer a channel wo
 
 
 def channel_wavelengths(count: int) -> tuple[Band, ...]:
-    """Wavelengths of its own for each channel."""
+    """Wavelengths for each channel separately."""
     return tuple(chosen_wavelengths(line, WIDTH_UM, count) for line in LINES_UM)
 
 
@@ -177,7 +177,7 @@ def channels(ghosts: tuple[Ghost, ...]) -> Planes:
 
 
 def vignetting(aperture: float, rim: float, natural: bool) -> NDArray[np.float32]:
-    """(H, W) vignetting factor; that of the rim is read from a table of the radius."""
+    """(H, W) vignetting factor; the rim's part is read from a table of the radius."""
     radius = field_tangents()
     tangents = np.linspace(0, 1.01, 256)
     _, open_share = light(tangents, aperture, rim, natural)
@@ -212,17 +212,19 @@ def corner_errors(
 ) -> Iterator[Readout]:
     """RMS of the close-up of ``picture``, in even, small steps: each adds a wavelength for all
     channels."""
-    shown = picture[CLOSE_TOP:, CLOSE_LEFT:, :3].astype(np.float32)
+    measured = picture[CLOSE_TOP:, CLOSE_LEFT:, :3].astype(np.float32)
     cos4, open_share = light(field_tangents()[CLOSE_TOP:, CLOSE_LEFT:], aperture, rim, natural)
     factor = np.asarray(cos4 * open_share, np.float32)
-    total, weights = np.zeros((3, *shown.shape[:2])), np.zeros((3, 1, 1))
+    total, weights = np.zeros((3, *measured.shape[:2])), np.zeros((3, 1, 1))
     wavelengths = reference_wavelengths()
     for count, wavelength in enumerate(wavelengths, start=1):
-        seen = np.exp(-0.5 * ((wavelength - np.array(LINES_UM)) / WIDTH_UM) ** 2)[:, None, None]
-        total += seen * corner_in(subject, glass, stop, aperture, wavelength)
-        weights += seen
+        sensitivity = np.exp(-0.5 * ((wavelength - np.array(LINES_UM)) / WIDTH_UM) ** 2)[
+            :, None, None
+        ]
+        total += sensitivity * corner_in(subject, glass, stop, aperture, wavelength)
+        weights += sensitivity
         truth = encode(np.asarray(total / weights, np.float32), factor)
-        off = shown - truth[..., :3]
+        off = measured - truth[..., :3]
         text = format_magnitude(root_mean_square(off), 1e-3)
         label = f"RMS error of the corner against {count} of {len(wavelengths)} wavelengths"
         enough = count >= FIRST_ROUND

@@ -40,7 +40,7 @@ SCALE = Scale(ticks=(0, 0.5, 1), grid=(1,))
 
 
 def overlays(k1: float, k2: float) -> dict[str, str]:
-    """The SVG of all three panels that depends on the lens alone; ``corrected`` is that of the
+    """The SVG of all three panels that depends on the lens alone; ``corrected`` is the SVG of the
     corrected picture."""
     lens = Distortion(k1=k1, k2=k2)
     named = ((INNER, "inner"), (OUTER, "outer"))
@@ -74,7 +74,7 @@ def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float
 
 def handle_place(ideal: tuple[float, float], lens: Distortion) -> tuple[float, float]:
     """The place of the handle of a point of the photograph: its image, within the border."""
-    x, y = (seen - middle for seen, middle in zip(image_of(ideal, lens), CENTRE, strict=True))
+    x, y = (image - middle for image, middle in zip(image_of(ideal, lens), CENTRE, strict=True))
     beyond = max(abs(x) / (CENTRE[0] - BORDER), abs(y) / (CENTRE[1] - BORDER), 1.0)
     return CENTRE[0] + x / beyond, CENTRE[1] + y / beyond
 
@@ -86,9 +86,9 @@ def _grid(lens: Distortion) -> str:
     within = np.hypot(lines[..., 0], lines[..., 1]) < fold_radius(lens)
     in_view = np.all(np.abs(images - CENTRE) <= (220.0, 170.0), axis=-1)
     bent, folded = [], []
-    for seen, inside, visible in zip(images, within, in_view, strict=True):
-        bent += _runs(seen, inside & visible)
-        folded += _runs(seen, _grown(~inside) & visible)
+    for image, inside, visible in zip(images, within, in_view, strict=True):
+        bent += _runs(image, inside & visible)
+        folded += _runs(image, _grown(~inside) & visible)
     (x, y), ideal = CENTRE, tuple(to_view(SAMPLE).tolist())
     parts = [
         rectangle((0.5, 0.5), VIEW_WIDTH - 1, VIEW_HEIGHT - 1, "muted thin faint"),

@@ -125,8 +125,10 @@ def describe(lens: Distortion, kind: str, bow: float, shift: float, *, corrected
             f", the corners lie past the fold, and beyond radius {limit} the model images nothing"
         )
     else:
-        way = "inwards" if shift < 0 else "outwards"
-        moves = f"move {format_number(abs(shift), 1)} px {way}" if abs(shift) > 0.05 else "stay"
+        direction = "inwards" if shift < 0 else "outwards"
+        moves = (
+            f"move {format_number(abs(shift), 1)} px {direction}" if abs(shift) > 0.05 else "stay"
+        )
         sentence += f" and the corners {moves}"
     return sentence + ("; the picture is corrected." if corrected else ".")
 

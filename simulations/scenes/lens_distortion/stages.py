@@ -86,29 +86,29 @@ def pixel_radii() -> Radii:
     return Radii(np.sqrt(squares) / (2.0 * FOCAL_PX), of_pixel.astype(np.intp))
 
 
-def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
+def ideal_radii(distorted: Floats, lens: Distortion, tier: str) -> Floats:
     """The radius without the lens of each radius in the photograph, as the tier computes it.
 
     Only the last three detect the fold; the others continue past it, or overflow.
     """
-    points = np.stack((seen, np.zeros_like(seen)), axis=-1)
+    points = np.stack((distorted, np.zeros_like(distorted)), axis=-1)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         return INVERSES[tier](points, lens)[..., 0]
 
 
-def true_radii(seen: Floats, lens: Distortion) -> Floats:
+def true_radii(distorted: Floats, lens: Distortion) -> Floats:
     """Ideal radii by bisection to the last bit, independent of all tiers; NaN past the fold.
 
     The image radius is written out: r (1 + k₁ r² + k₂ r⁴).
     """
     fold = min(fold_radius(lens), 1e3)
-    low, high = np.zeros_like(seen), np.full_like(seen, fold)
+    low, high = np.zeros_like(distorted), np.full_like(distorted, fold)
     for _ in range(64):
         middle = 0.5 * (low + high)
         s = middle * middle
-        beyond = middle * (1.0 + s * (lens.k1 + s * lens.k2)) > seen
+        beyond = middle * (1.0 + s * (lens.k1 + s * lens.k2)) > distorted
         low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-    return np.where(seen < largest_distorted_radius(lens), high, np.nan)
+    return np.where(distorted < largest_distorted_radius(lens), high, np.nan)
 
 
 def inversion_error_px(lens: Distortion, tier: str) -> float:
@@ -152,8 +152,8 @@ def _pinhole(scenery: Floats, margin: bool) -> Floats:
 
 
 def _undistorted(pinhole: Floats, margin: bool) -> Photo:
-    shown = _without_margin(pinhole) if margin else pinhole
-    return Photo(shown, np.ones((HEIGHT_PX, WIDTH_PX), np.float32))
+    visible = _without_margin(pinhole) if margin else pinhole
+    return Photo(visible, np.ones((HEIGHT_PX, WIDTH_PX), np.float32))
 
 
 def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:

@@ -217,13 +217,13 @@ def describe(view: Projection) -> str:
             f"picture. The top of the white ball is {depth} in front of the camera and "
             f"projects to {at}."
         )
-    seen = (
+    view_words = (
         "A room of which only the far wall is seen, at any distance equally large"
         if view.camera.parallel
         else f"A room with {100.0 * view.camera.perspective:.0f}\u00a0% of the convergence "
         "of perspective"
     )
-    sentence = f"{seen}. The top of the white ball, at a depth of {depth}, projects to {at}"
+    sentence = f"{view_words}. The top of the white ball, at a depth of {depth}, projects to {at}"
     if view.Z <= 0.0:
         return f"{sentence}; in perspective it has no image."
     return f"{sentence}, {format_number(view.off_px, 1)} px from its place in perspective."

@@ -163,9 +163,9 @@ def ray(view: Projection) -> str:
         parts.append(segment(AXIS, top_view_place(Z, X * Z / reference), "error thin dashed"))
         if abs(X) < 3.5:
             parts.append(drawing.dot(top_view_place(reference, X), "error", 3.0))
-    own = on_ray(view, reference)
-    if abs(own[1] - AXIS[1]) < 3.5 * SIDE_SCALE:
-        parts.append(drawing.dot(own, "image", 4.0))
+    image = on_ray(view, reference)
+    if abs(image[1] - AXIS[1]) < 3.5 * SIDE_SCALE:
+        parts.append(drawing.dot(image, "image", 4.0))
     return "".join(parts)
 
 

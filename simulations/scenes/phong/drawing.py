@@ -91,15 +91,15 @@ def lobe_plot(
         line((24, FOOT[1]), (WIDTH - 24, FOOT[1]), "world bold"),
         text((26, FOOT[1] + 20), "surface", "world small"),
     ]
-    seen = VECTOR * float(brightness[round(math.degrees(view_rad)) + 90])
+    tip = VECTOR * float(brightness[round(math.degrees(view_rad)) + 90])
     if brightness.max() > 0:
         parts += [
             polyline(outline(other), "muted thin dashed"),
             polygon(outline(brightness), "ray fill"),
             polyline(outline(np.full(181, matte)), "world dashed"),
-            outlined_dot(towards(view_rad, seen), "image"),  # brightness of the camera's pixel
+            outlined_dot(towards(view_rad, tip), "image"),  # brightness of the camera's pixel
         ]
-    return "".join((*parts, *vectors(light_rad, view_rad, seen)))
+    return "".join((*parts, *vectors(light_rad, view_rad, tip)))
 
 
 def curve_names(names: tuple[str, str], *more: Entry) -> str:
@@ -123,10 +123,10 @@ def outline(brightness: Floats) -> list[Point]:
     return list(zip(x, y - VECTOR * brightness * np.cos(around), strict=True))
 
 
-def vectors(light_rad: float, view_rad: float, seen: float) -> Iterator[str]:
+def vectors(light_rad: float, view_rad: float, tip: float) -> Iterator[str]:
     """n, l, v, the mirrored r and the halfway h; a label names both of two that coincide.
 
-    ``seen`` is the distance from the foot of the dot on v, which no label may cover.
+    ``tip`` is the distance from the foot of the dot on v, which no label may cover.
     """
     found = [("n", 0.0, "world"), ("l", light_rad, "light"), ("v", view_rad, "camera")]
     lit = math.cos(light_rad) > 0
@@ -146,10 +146,10 @@ def vectors(light_rad: float, view_rad: float, seen: float) -> Iterator[str]:
         turns = (light_rad, -light_rad)
         arcs = [[towards(turn * step / 16, 30.0) for step in range(17)] for turn in turns]
         yield path(arcs, "muted thin")
-    yield from vector_labels(found, seen, near)
+    yield from vector_labels(found, tip, near)
 
 
-def vector_labels(found: list[Direction], seen: float, near: float) -> Iterator[str]:
+def vector_labels(found: list[Direction], tip: float, near: float) -> Iterator[str]:
     """One label for each group of directions within a few degrees of one another.
 
     ``near`` is the length of l as a share of the others'.
@@ -164,8 +164,8 @@ def vector_labels(found: list[Direction], seen: float, near: float) -> Iterator[
         middle = group[len(group) // 2][1]
         letters = [name for name, _, _ in group]
         length = VECTOR + 22 + 5 * (len(group) - 1)
-        if "v" in letters and abs(seen - length) < 18:
-            length = seen + 18
+        if "v" in letters and abs(tip - length) < 18:
+            length = tip + 18
         place = towards(middle, length)
         if "l" in letters:  # next to the arrow, as the lamp is beyond it
             aside = math.copysign(0.2, math.sin(middle))

@@ -122,14 +122,14 @@ def draw_marked_ray(
     view: Section, glass: Glass, marked: Rays, height: float, opening: float
 ) -> Iterator[str]:
     """The marked ray to its end, or to the opening if that stops it, and why it ends."""
-    (way,) = ray_polylines(view, glass, marked, np.array([height]))
+    (points,) = ray_polylines(view, glass, marked, np.array([height]))
     fate, words = int(marked.fate[0]), STOPPED
     if is_stopped(height, opening, marked):
-        end = (view.lens_x, float(np.interp(view.lens_x, *np.transpose(way))))
-        yield path([[*(place for place in way if place[0] < view.lens_x), end]], "ray bold")
+        end = (view.lens_x, float(np.interp(view.lens_x, *np.transpose(points))))
+        yield path([[*(place for place in points if place[0] < view.lens_x), end]], "ray bold")
         yield dot(end, "error", 4)
     else:
-        yield path([way], "ray bold")
+        yield path([points], "ray bold")
         yield from failures(view, marked, np.array([height]), 4)
         words = FATES.get(fate, "")
     if words:

@@ -201,8 +201,8 @@ def describe(settings: Settings, glass: Glass, true: singlet.Rays) -> str:
 
 def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of the marked ray's crossing of the axis in this tier, in one step."""
-    true, shown = (float(outputs[name].crossing_mm[0]) for name in ("true", "marked"))
-    label, off = "The marked ray crosses too far off by", abs(true - shown)
+    true, computed = (float(outputs[name].crossing_mm[0]) for name in ("true", "marked"))
+    label, off = "The marked ray crosses too far off by", abs(true - computed)
     if math.isfinite(off):
         yield Readout("error", label, format_magnitude(off, 1e-9), "mm", role="error")
     else:

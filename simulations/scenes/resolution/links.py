@@ -173,15 +173,15 @@ def subject(lens: Lens, pitch: float, plate: bool) -> Raster:
             left *= plate_transfer(across, pitch) * plate_transfer(down, pitch)
         return left
 
-    seen, count = blurred(factor), columns(pitch)
+    picture, count = blurred(factor), columns(pitch)
     for axis, pixels in ((1, 3 * count // 4), (2, count)):
-        last = seen.shape[axis] - 1
+        last = picture.shape[axis] - 1
         place = 0.5 * last + centred(pixels) * (pitch * WAVES_PER_MM / 1000.0)
         low = np.clip(np.floor(place).astype(int), 0, last - 1)
         share = (place - low).reshape((-1, 1) if axis == 1 else -1)
-        first, second = (seen.take(low + step, axis) for step in (0, 1))
-        seen = first + share * (second - first)
-    return to_rgba8(encode_srgb(np.clip(seen, 0.0, 1.0).transpose(1, 2, 0)))
+        first, second = (picture.take(low + step, axis) for step in (0, 1))
+        picture = first + share * (second - first)
+    return to_rgba8(encode_srgb(np.clip(picture, 0.0, 1.0).transpose(1, 2, 0)))
 
 
 STAGES = (

@@ -30,7 +30,7 @@ FINER = 72  # steps along a wall between which the walls' own light is not inter
 
 @dataclass(frozen=True, slots=True)
 class Places:
-    """Points of walls or ball, and what the lamp does there."""
+    """Points of walls or ball, and the lamp's light there."""
 
     lit: Floats  # (N,) irradiance by the lamp if it pointed at them
     ways: Floats  # (N, 3) unit vectors from the lamp
@@ -203,6 +203,6 @@ def light_on_ball() -> Floats:
     size = np.abs(np.einsum("ni,ni->n", ways, facing)) / (CELLS * SAMPLES * distance) ** 2
     some, _ = samples(4)
     normals = (some - 0.5) / np.linalg.norm(some - 0.5, axis=-1, keepdims=True)
-    seen = np.maximum(normals @ ways.T, 0.0) * (size / math.pi)
-    patches = seen.reshape(-1, 6, CELLS, SAMPLES, CELLS, SAMPLES).sum(axis=(3, 5))
+    shares = np.maximum(normals @ ways.T, 0.0) * (size / math.pi)
+    patches = shares.reshape(-1, 6, CELLS, SAMPLES, CELLS, SAMPLES).sum(axis=(3, 5))
     return np.linalg.pinv(polynomial(normals)) @ patches.reshape(len(normals), -1)

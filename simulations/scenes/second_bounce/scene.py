@@ -96,7 +96,7 @@ def albedos_of(albedo: float, wall: str) -> Floats:
 
 
 def light_of(direct: Floats, bounces: str, albedo: float, wall: str) -> Light:
-    """What arrives is what the walls sent one bounce earlier."""
+    """Light arriving from the walls, which they reflected one bounce earlier."""
     colours, count = albedos_of(albedo, wall)[:6].T, None if bounces == "all" else int(bounces)
     before = [np.zeros_like(direct)] * 2
     if count != 0:
@@ -139,10 +139,10 @@ def picture(light: Light, by_lamp: Floats, albedo: float, wall: str, columns: in
     of_ball = albedos[6] * (on_ball.mean(axis=0) + by_lamp[view.ball].mean())
     arriving += view.hidden * (of_ball - arriving)
     arriving[view.ball] = on_ball
-    seen = albedos[view.wall] * (by_lamp + arriving)
-    seen[view.borders] = seen[view.around].mean(axis=0)
-    side = round(math.sqrt(len(seen)))
-    return to_rgba8(encode_srgb_table(seen)[:, [0, 1, 1]].reshape(side, side, 3))
+    radiance = albedos[view.wall] * (by_lamp + arriving)
+    radiance[view.borders] = radiance[view.around].mean(axis=0)
+    side = round(math.sqrt(len(radiance)))
+    return to_rgba8(encode_srgb_table(radiance)[:, [0, 1, 1]].reshape(side, side, 3))
 
 
 def first_picture(first: Light, by_lamp: Floats, albedo: float, wall: str, columns: int) -> Raster:

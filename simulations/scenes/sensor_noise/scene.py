@@ -211,17 +211,17 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     transfer: Transfer = outputs["transfer"]
     camera, patch = camera_of(settings), settings.patch - 1
     gain, true_gain = transfer.gain, camera.gain_e_per_dn
-    own = outputs["photograph"] is not None
+    has_photograph = outputs["photograph"] is not None
     mean_e = float(patch_light_e(outputs["light"])[patch])
     floor = floor_e2(camera, settings.dark)
     mean, sigma = float(transfer.mean_dn[patch]), math.sqrt(transfer.variance_dn[patch])
     ratio = measured_ratio(transfer, patch)
     theory = format_number(mean_e / math.sqrt(mean_e + floor), 1)
     span = math.log2(saturation_e(camera) / math.sqrt(floor))
-    level = None if own else mean_e / true_gain
-    unequal = bool(settings.unequal) and not own
+    level = None if has_photograph else mean_e / true_gain
+    unequal = bool(settings.unequal) and not has_photograph
     plot = transfer_plot(curve_of(settings), transfer, patch, level, unequal)
-    title = "Your picture, in 24 patches" if own else "24 grey patches"
+    title = "Your picture, in 24 patches" if has_photograph else "24 grey patches"
     signal = f"{mean_e / 1000:.3g}k" if mean_e >= 1000 else f"{mean_e:.3g}"
     share = f"noise {format_number(100 * sigma / mean, 0 if sigma > 0.1 * mean else 1)} %"
     if ratio in ("one code only", "clipped"):
@@ -229,12 +229,14 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     elif mean < sigma / 3:
         share = "lost in noise"
     words = text((12, HEIGHT - 14), f"{signal} e⁻, {share}", "image strong ground")
-    shown = ("Your picture", outputs["picture"]) if own else ("The room", outputs["room"])
+    picture = (
+        ("Your picture", outputs["picture"]) if has_photograph else ("The room", outputs["room"])
+    )
     frame = over_wedge(patch) + words
     found = value_with_error(gain.e_per_dn, gain.error_e_per_dn) if gain else "not measurable"
     return Frame(
         (
-            Panel("room", shown[0], *SIZE, shown[1], pixelated=True, lead=True),
+            Panel("room", picture[0], *SIZE, picture[1], pixelated=True, lead=True),
             Panel("wedge", title, *SIZE, outputs["picture"], overlay=frame, pixelated=True),
             Panel("transfer", "Noise of every patch, against its light", *SIZE, overlay=plot),
         ),
@@ -278,14 +280,16 @@ def measured_ratio(transfer: Transfer, patch: int) -> str:
 def describe(settings: Settings, outputs: Outputs, ratio: str) -> str:
     """The picture in one sentence."""
     gain, camera = outputs["transfer"].gain, camera_of(settings)
-    own = outputs["photograph"] is not None
+    has_photograph = outputs["photograph"] is not None
     brightest_e = outputs["light"].reshape(24, -1).max(axis=1) + settings.dark
     full = int(np.count_nonzero(brightest_e > saturation_e(camera)))
-    are = "hold cells that are" if own else "are"
+    are = "hold cells that are" if has_photograph else "are"
     burnt = f"{full} of 24 patches {are} burnt out" if full else "no patch is burnt out"
-    what = "Your own picture" if own else "A room, and 24 grey patches from light to dark,"
+    subject = (
+        "Your own picture" if has_photograph else "A room, and 24 grey patches from light to dark,"
+    )
     words = {"one code only": "shows one code only", "clipped": "is clipped"}
-    shown = words.get(ratio, f"has an SNR of {ratio}")
+    visibility = words.get(ratio, f"has an SNR of {ratio}")
     floor_dn = math.sqrt(floor_e2(camera, settings.dark)) / camera.gain_e_per_dn
     if gain is None:
         fit = "too few patches with noise of their own are left to measure the conversion gain"
@@ -295,8 +299,8 @@ def describe(settings: Settings, outputs: Outputs, ratio: str) -> str:
         off = abs(gain.e_per_dn / camera.gain_e_per_dn - 1)
         fit = f"the variances give the conversion gain to within {math.ceil(100 * off)} %"
     return (
-        f"{what} at ISO {settings.iso} and {settings.bits} bits: "
-        f"{burnt}, patch {settings.patch} {shown}, and {fit}."
+        f"{subject} at ISO {settings.iso} and {settings.bits} bits: "
+        f"{burnt}, patch {settings.patch} {visibility}, and {fit}."
     )
 
 

@@ -164,22 +164,22 @@ def fold(distance: float, kind: Kind) -> Found:
     halvings from 1 to the last bit of a double, and some more."""
     spread = generator_at(distance).uniform(0.8, 1.2, DRAWS)
     inside = 1.0 - np.minimum(distance * spread, 1.0 - 1e-3)
-    seen = (LARGEST_SEEN * inside).astype(kind)
-    k1, start = float(kind(K1)), newton(seen.astype(np.float64), 60).tolist()
-    pairs = zip(seen.tolist(), start, strict=True)
+    distorted = (LARGEST_SEEN * inside).astype(kind)
+    k1, start = float(kind(K1)), newton(distorted.astype(np.float64), 60).tolist()
+    pairs = zip(distorted.tolist(), start, strict=True)
     exact = [exact_radius(k1, r_d, guess) for r_d, guess in pairs]
     r = np.array([true / ONE for true in exact])
     condition = float(np.abs((1.0 + k1 * r**2) / (1.0 + 3.0 * k1 * r**2)).max())
-    few, many = (largest_error(newton(seen, steps), exact) for steps in (5, 60))
+    few, many = (largest_error(newton(distorted, steps), exact) for steps in (5, 60))
     return few, many, condition
 
 
-def newton(seen: Floats, steps: int) -> Floats:
+def newton(distorted: Floats, steps: int) -> Floats:
     """r (1 + k₁ r²) = r_d, started on the axis's side, from which no step passes the solution."""
-    k, r = seen.dtype.type(K1), seen
+    k, r = distorted.dtype.type(K1), distorted
     for _ in range(steps):
         square = r * r
-        r = r - (r * (1 + k * square) - seen) / (1 + 3 * k * square)
+        r = r - (r * (1 + k * square) - distorted) / (1 + 3 * k * square)
     return r
 
 
@@ -248,12 +248,12 @@ def exact_pixel(
     return over(x, z)
 
 
-def exact_radius(k1: float, seen: float, guess: float) -> int:
+def exact_radius(k1: float, distorted: float, guess: float) -> int:
     """The inner solution of r (1 + k₁ r²) = r_d by Newton's steps from a double near it."""
-    k, wanted, r = fixed(k1), fixed(seen), fixed(guess)
+    k, target, r = fixed(k1), fixed(distorted), fixed(guess)
     for _ in range(9):
         square = times(r, r)
-        missing = times(r, ONE + times(k, square)) - wanted
+        missing = times(r, ONE + times(k, square)) - target
         r -= over(missing, ONE + 3 * times(k, square))
     return r
 

@@ -89,8 +89,8 @@ def by_origin(values: Floats, distance: float, kind: Kind) -> Pair:
 
 def by_fold(values: Floats, distance: float, kind: Kind) -> Pair:
     """A value is how far r_d is short of its largest, as a share in units of the distance."""
-    seen = (LARGEST_SEEN * (1.0 - distance * np.clip(values, 0.0, 0.999))).astype(kind)
-    found = [newton(seen, steps).astype(float) for steps in (5, 60)]
+    distorted = (LARGEST_SEEN * (1.0 - distance * np.clip(values, 0.0, 0.999))).astype(kind)
+    found = [newton(distorted, steps).astype(float) for steps in (5, 60)]
     first, second = ((1.0 - r * (1.0 + K1 * r**2) / LARGEST_SEEN) / distance for r in found)
     return first, second
 

@@ -198,8 +198,8 @@ def describe(settings: Settings, view: Camera) -> str:
 def box_words(settings: Settings, view: Camera) -> str:
     box = box_of(settings)
     size = f"A box {format_number(box.height, 1)} m tall stands"
-    (pixel, seen) = view.image(np.array([box.x, box.y, 0.0]))
-    if not seen:
+    (pixel, visible) = view.image(np.array([box.x, box.y, 0.0]))
+    if not visible:
         return f"{size} behind the camera."
     away = f"{size} {format_number(math.hypot(box.x, box.y), 1)} m away"
     if not (0.0 <= pixel[0] < WIDTH_PX and 0.0 <= pixel[1] < HEIGHT_PX):
@@ -211,8 +211,8 @@ def box_words(settings: Settings, view: Camera) -> str:
 
 def foot(settings: Settings, _outputs: Outputs) -> Point | None:
     """The middle of the box's base."""
-    pixel, seen = camera_of(settings).image(np.array([settings.box_x, settings.box_y, 0.0]))
-    return PICTURE.place(pixel) if seen else None
+    pixel, visible = camera_of(settings).image(np.array([settings.box_x, settings.box_y, 0.0]))
+    return PICTURE.place(pixel) if visible else None
 
 
 def foot_pulled(settings: Settings, place: Point) -> Mapping[str, float]:
@@ -226,8 +226,8 @@ def foot_pulled(settings: Settings, place: Point) -> Mapping[str, float]:
 def top(settings: Settings, _outputs: Outputs) -> Point | None:
     """The middle of the box's top."""
     box = box_of(settings)
-    pixel, seen = camera_of(settings).image(np.array([box.x, box.y, box.height]))
-    return PICTURE.place(pixel) if seen else None
+    pixel, visible = camera_of(settings).image(np.array([box.x, box.y, box.height]))
+    return PICTURE.place(pixel) if visible else None
 
 
 def level(settings: Settings, _outputs: Outputs) -> Point:

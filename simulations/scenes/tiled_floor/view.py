@@ -134,9 +134,9 @@ def near_upright(box: Box) -> Floats:
 def height_in_picture(view: Camera, box: Box) -> float | None:
     """Height of the box, metres, from its image and the height of the camera; None if
     undetermined."""
-    (foot, top), seen = view.image(near_upright(box))
+    (foot, top), visible = view.image(near_upright(box))
     ratio, valid = height_by_horizon(foot, top, view.horizon, view.K @ view.directions[2])
-    return float(ratio) * view.height if seen.all() and valid else None
+    return float(ratio) * view.height if visible.all() and valid else None
 
 
 def visible_edges(box: Box, height: float, axis: int) -> Iterator[Floats]:
@@ -164,7 +164,8 @@ def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
 
 
 def plane_overlay(view: Camera, box: Box, lines: bool) -> str:
-    """The horizon and the lines beyond the borders of the picture, with those of the uprights."""
+    """The horizon and the lines beyond the borders of the picture, and the lines of the
+    uprights."""
     (x, y), width, height = PLANE.place(np.array([-0.5, -0.5])), WIDTH / 3, HEIGHT / 3
     parts = (
         drawing.rectangle((x, y), width, height, "image"),
@@ -223,9 +224,9 @@ def _horizon(view: Camera, window: Window) -> str:
 def _upright(view: Camera, box: Box) -> str:
     """The nearest edge of the box, extended to the horizon, which is as high as the camera."""
     foot = near_upright(box)[0]
-    pixels, seen = view.image(np.array([foot, (foot[0], foot[1], view.height)]))
+    pixels, visible = view.image(np.array([foot, (foot[0], foot[1], view.height)]))
     start, crossing = (PICTURE.place(pixel) for pixel in pixels)
-    line = clipped(start, crossing, *SIDES) if seen.all() else None
+    line = clipped(start, crossing, *SIDES) if visible.all() else None
     if line is None:
         return ""
     parts = [drawing.line(*line, "camera thin dashed")]
@@ -241,7 +242,7 @@ def _upright(view: Camera, box: Box) -> str:
 
 
 def _handle_names(view: Camera, box: Box) -> str:
-    """The names of what the two handles of the box change, on their right."""
+    """Labels to the right of the two handles of the box, for the settings that they change."""
     places = np.array([(box.x, box.y, height) for height in (0.0, box.height)])
     named = zip(("place", "height"), *view.image(places), strict=True)
     spots = [(name, PICTURE.place(pixel)) for name, pixel, visible in named if visible]

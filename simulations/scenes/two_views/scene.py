@@ -121,7 +121,7 @@ def describe(settings: Settings, view: LampView, off: float) -> str:
     position = f"{format_number(settings.baseline)} m apart, " + (
         f"the right one turned in by {turned:.0f}°" if turned else "looking the same way"
     )
-    seen = "" if in_picture(view.right) else ", outside the right picture"
+    visibility = "" if in_picture(view.right) else ", outside the right picture"
     row = (
         "in the same row of both pictures"
         if abs(off) < 0.05
@@ -136,7 +136,7 @@ def describe(settings: Settings, view: LampView, off: float) -> str:
     return (
         f"Two cameras {position}, in a room with balls and boxes. A lamp "
         f"{format_number(view.depth, 1)} m away has a disparity of "
-        f"{format_number(view.disparity, 1)} px and is {row}{seen}"
+        f"{format_number(view.disparity, 1)} px and is {row}{visibility}"
         + (f"; a match good to {format_number(error, 1)} px {doubt}." if error else ".")
     )
 

@@ -23,7 +23,7 @@ from simulations.world import plan
 WIDTH, HEIGHT = 400.0, 300.0
 BORDERS = (0.0, 0.0), (WIDTH, HEIGHT)
 INSIDE = Rectangle(4.0, 4.0, WIDTH - 4.0, HEIGHT - 4.0)  # room for labels
-MIDDLE_M = (0.5, 0.3, 4.3)  # of what is shown
+MIDDLE_M = (0.5, 0.3, 4.3)  # centre of the view
 FLOOR_M = float(EYE[2])  # Y of the floor
 FAR_M = 60.0  # length of drawn rays, beyond the panel
 AXIS_M = 2.2  # distance of the handle on the right camera's axis

@@ -106,13 +106,13 @@ def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readou
     canvas: Canvas = outputs["canvas"]
     turn, frame = settings.turn_per_frame, settings.frame
     row = spoked_wheel.bars(canvas, settings.spokes, turn * frame, turn * settings.shutter)
-    shown = exposure_of(tier, frame)(row)
+    filmed = exposure_of(tier, frame)(row)
     free = 1.0 - canvas.solid[canvas.between]
     squares, pixels = 0.0, 0
     for part in range(PARTS):
         some = slice(part, None, PARTS)
         truth = by_changes(Bars(row.place[some], row.duty[some], row.pixel[some], row.swept))
-        off = (shown[some] - truth) * free[some]
+        off = (filmed[some] - truth) * free[some]
         squares, pixels = squares + float(off @ off), pixels + off.size
         text = format_magnitude(math.sqrt(squares / pixels), 1e-12)
         yield Readout(
@@ -139,8 +139,8 @@ def moments(row: Bars) -> Floats:
     for pixel_edge in (-0.5, 0.5):
         for spoke_edge in (-0.5, 0.5):
             # Distance of the nearest such pair of edges; the next ones are a spacing behind.
-            way = direction * (row.place + pixel_edge * row.pixel - spoke_edge * row.duty) % 1.0
-            ends += [(way + k) / abs(row.swept) for k in range(math.ceil(abs(row.swept)))]
+            phase = direction * (row.place + pixel_edge * row.pixel - spoke_edge * row.duty) % 1.0
+            ends += [(phase + k) / abs(row.swept) for k in range(math.ceil(abs(row.swept)))]
     return np.sort(np.minimum(ends, 1.0), axis=0)
 
 

@@ -160,17 +160,17 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The current frame, the wheel now, and the spokes' positions over time."""
     spokes, rate, speed = settings.spokes, settings.frame_rate, settings.speed
     time, shutter = settings.time, settings.shutter
-    seen, certain = apparent_wheel_speed(speed, spokes, rate)
-    apparent, sure = float(seen), bool(certain)
+    speed_shown, certain = apparent_wheel_speed(speed, spokes, rate)
+    apparent, sure = float(speed_shown), bool(certain)
     per_frame, blur = spokes * speed / rate, 360 * (abs(speed) / rate * shutter)
     contrast = float(box_mtf(per_frame, shutter))
     signed = ("+" if apparent > 0.005 else "") + format_number(apparent)
     if not sure:
-        signed, way = f"±{format_number(abs(apparent))}", "either way"
+        signed, direction = f"±{format_number(abs(apparent))}", "either way"
     elif abs(apparent) < STILL:
-        way = "not at all"
+        direction = "not at all"
     else:
-        way = "clockwise" if apparent > 0 else "anticlockwise"
+        direction = "clockwise" if apparent > 0 else "anticlockwise"
     over = over_film(apparent, sure)
     now = wheel(spokes, 2 * math.pi * speed * time / rate, speed)
     plot = "".join(track(per_frame, apparent * spokes / rate, sure, time))
@@ -181,7 +181,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             Panel("track", "Where the spokes are, frame by frame", *SIZE, overlay=plot),
         ),
         (
-            Readout("direction", "Appears to turn", way, "", role="error"),
+            Readout("direction", "Appears to turn", direction, "", role="error"),
             Readout("apparent", "Speed in the film", signed, "turns/s", role="error"),
             readout("passing", "Spokes passing", spokes * speed, "per s", digits=1, role="world"),
             readout("nyquist", "Half the frame rate", rate / 2, "per s", digits=1, role="image"),
@@ -197,24 +197,26 @@ def describe(settings: Settings, apparent: float, certain: bool, contrast: float
     """Wheel and film in words."""
     speed = settings.speed
     if speed == 0:
-        shown = "; it stands, and so it does in the film"
+        effect = "; it stands, and so it does in the film"
     elif not certain:
-        shown = (
+        effect = (
             "; each spoke moves half a spacing from frame to frame, and nothing in the film says "
             "which way"
         )
     elif abs(apparent) < STILL:
-        shown = "; each spoke takes the place of another from frame to frame, and it seems to stand"
+        effect = (
+            "; each spoke takes the place of another from frame to frame, and it seems to stand"
+        )
     elif math.isclose(apparent, speed):
-        shown = ", which is fast enough to show the true motion"
+        effect = ", which is fast enough to show the true motion"
     else:
-        way = "backwards" if apparent * speed < 0 else "forwards"
-        shown = f"; it seems to turn {way}, {format_number(abs(apparent))} times a second"
+        direction = "backwards" if apparent * speed < 0 else "forwards"
+        effect = f"; it seems to turn {direction}, {format_number(abs(apparent))} times a second"
     blurred = " Motion blur hides the spokes." if contrast < 0.1 else ""
     rate = format_number(settings.frame_rate, 0)
     return (
         f"A coach’s wheel of {settings.spokes} spokes that turns {format_number(speed)} times a "
-        f"second is filmed at {rate} frames a second{shown}.{blurred}"
+        f"second is filmed at {rate} frames a second{effect}.{blurred}"
     )
 
 
