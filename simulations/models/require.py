@@ -15,7 +15,7 @@ MOST_SHOWN = 16
 def require(name: str, value: object, holds: bool | np.bool_, legal: str) -> None:
     """Raises `ValueError`, ``name value; legal: …``, unless the condition holds."""
     if not holds:
-        raise ValueError(f"{name} {_shown(value)}; legal: {legal}")
+        raise ValueError(f"{name} {_value_text(value)}; legal: {legal}")
 
 
 def require_positive(name: str, value: float) -> None:
@@ -28,7 +28,7 @@ def require_one_of(name: str, value: str, legal: Collection[str]) -> None:
     require(name, value, value in legal, ", ".join(legal))
 
 
-def _shown(value: object) -> str:
+def _value_text(value: object) -> str:
     if isinstance(value, np.ndarray):
         return str(value.tolist()) if value.size <= MOST_SHOWN else f"of shape {value.shape}"
     return repr(value) if isinstance(value, str) else str(value)

@@ -106,15 +106,15 @@ def test_first_handle_of_a_page_moves_once_and_hints_at_mouse_and_keys(
         expect(handle).to_contain_class("nudged")
         assert page.evaluate("location.search") == values
         handle.hover()
-        assert hint_is_seen(handle)
+        assert hint_is_visible(handle)
         page.mouse.down()
-        assert not hint_is_seen(handle)
+        assert not hint_is_visible(handle)
         page.mouse.up()
         page.mouse.move(0, 0)
         expect(handle).to_be_focused()
-        assert not hint_is_seen(handle)
+        assert not hint_is_visible(handle)
         page.keyboard.press("ArrowRight")
-        assert hint_is_seen(handle)
+        assert hint_is_visible(handle)
         shown = handle.evaluate("handle => getComputedStyle(handle, '::after').content")
         assert "← →" in shown
         page.emulate_media(reduced_motion="reduce")
@@ -127,7 +127,7 @@ def test_first_handle_of_a_page_moves_once_and_hints_at_mouse_and_keys(
 FIRST_HANDLE = ".handle:not(.drag, .aim, [hidden])"
 
 
-def hint_is_seen(handle: Locator) -> bool:
+def hint_is_visible(handle: Locator) -> bool:
     seen: bool = handle.evaluate("""async handle => {
       await Promise.all(handle.getAnimations({subtree: true}).map((one) => one.finished));
       return getComputedStyle(handle, '::after').opacity === '1';

@@ -107,7 +107,7 @@ def shape_of(name: str, views: Views) -> Shape:
     return Shape(terms, (0.0,) * len(terms), middle, float(far.max()) / 2)
 
 
-def shown_whole(views: Views) -> bool:
+def corners_numbered_alike(views: Views) -> bool:
     """Whether all photographs count as many columns and rows, so that they number corners alike."""
     far = np.where(views.found[..., None], views.board, 0.0).max(axis=1)
     return bool((far == far[0]).all())

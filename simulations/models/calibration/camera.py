@@ -72,7 +72,7 @@ class Camera:
 
     def pixels(self, points: Floats) -> Floats:
         """Pixels (..., 2) of points (..., 3) in the camera frame, all in front of it."""
-        image = lenses.seen(points[..., :2] / points[..., 2:], self.lens)
+        image = lenses.distorted(points[..., :2] / points[..., 2:], self.lens)
         return image * (self.fx, self.fy) + (self.cx, self.cy)
 
     def ideal(self, pixels: Floats) -> tuple[Floats, Mask]:

@@ -13,13 +13,18 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from simulations.models.calibration.board_shape import SHAPES, shape_of, shown_whole
+from simulations.models.calibration.board_shape import SHAPES, corners_numbered_alike, shape_of
 from simulations.models.calibration.bundle_adjustment import Adjusted, refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.left_out import left_out_px
 from simulations.models.calibration.standard_errors import Uncertainty, rms_px, uncertainty
 from simulations.models.calibration.views import Views
-from simulations.models.calibration.zhang import TILT, UndeterminedError, closed_form, poses_seen
+from simulations.models.calibration.zhang import (
+    TILT,
+    UndeterminedError,
+    closed_form,
+    estimate_poses,
+)
 from simulations.models.distortion.fisheye import EQUIDISTANT, Fisheye
 
 ALIKE = 0.005
@@ -70,7 +75,7 @@ def shapes(views: Views, flat: tuple[Trial, ...]) -> tuple[Trial, ...]:
     """
     richest = min(flat[-3:], key=lambda t: t.left_out_px * (1 + (t.lens == FISHEYE)))
     found = [richest]
-    for name in list(SHAPES)[1:] if shown_whole(views) else ("bent",):
+    for name in list(SHAPES)[1:] if corners_numbered_alike(views) else ("bent",):
         last = found[-1].fit
         poses = replace(last.poses, shape=shape_of(name, views))
         try:
@@ -125,7 +130,7 @@ def fisheye_start(
     for share in EQUIDISTANT:
         guess = Camera(share * max(size), share * max(size), x, y, Fisheye())
         with suppress(UndeterminedError):
-            starts.append((guess, poses_seen(views, guess)))
+            starts.append((guess, estimate_poses(views, guess)))
     found, free = [], PINHOLE + LENSES[FISHEYE]
     for start in starts:
         with suppress(UndeterminedError):

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats
 from simulations.models.calibration.camera import Camera
-from simulations.models.distortion.lens import fold_radius, seen
+from simulations.models.distortion.lens import distorted, fold_radius
 
 type Codes = NDArray[np.uint8]
 
@@ -39,7 +39,7 @@ def _places(camera: Camera, width: int, rows: slice) -> tuple[Floats, Floats]:
     x = (np.arange(width) - camera.cx) / camera.fx
     y = (np.arange(rows.start, rows.stop) - camera.cy) / camera.fy
     ideal = np.stack(np.meshgrid(x, y), axis=-1)
-    places = seen(ideal, camera.lens)
+    places = distorted(ideal, camera.lens)
     folded = (ideal * ideal).sum(axis=-1) >= fold_radius(camera.lens) ** 2
     places[folded] = np.nan
     return places[..., 0] * camera.fx + camera.cx, places[..., 1] * camera.fy + camera.cy

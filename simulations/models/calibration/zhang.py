@@ -128,7 +128,7 @@ def _from_b(b: Floats) -> tuple[float, float, float, float]:
     return float(scale / b[0]), float(scale / b[2]), float(x), float(y)
 
 
-def poses_seen(views: Views, camera: Camera) -> Poses:
+def estimate_poses(views: Views, camera: Camera) -> Poses:
     """The poses of boards by corners that the camera's lens is taken out of.
 
     Raises `UndeterminedError` where the lens cannot have seen a board.

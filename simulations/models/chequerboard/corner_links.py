@@ -48,7 +48,7 @@ def link_corners(saddles: Saddles, smooth: Planes) -> Whole:
     facing = np.full((count, 4), -1)
     for ray in range(4):
         along = (away * rays[:, None, ray]).sum(axis=-1)
-        back, straight = _way_back(near, away, rays, ray)
+        back, straight = _return_edges(near, away, rays, ray)
         fit = straight & (along > distance / np.hypot(1.0, AWRY))
         reach = np.where(fit, distance, np.inf)
         best = reach.argmin(axis=1)
@@ -73,7 +73,7 @@ def _nearest(places: Floats) -> Whole:
     return np.argpartition(square, kept - 1, axis=1)[:, :kept]
 
 
-def _way_back(near: Whole, away: Floats, rays: Floats, ray: int) -> tuple[Whole, Mask]:
+def _return_edges(near: Whole, away: Floats, rays: Floats, ray: int) -> tuple[Whole, Mask]:
     """(N, K) the edge of the other that leads back, and whether it does so nearly straight.
 
     As the same side of the edge is light at both ends, an even edge meets an odd one.

@@ -21,7 +21,7 @@ ON_AXIS = 1e-12
 """Smaller r² count as this, so that θ / r needs no limit."""
 
 
-def seen(xy: Floats, lens: Lens) -> Floats:
+def distorted(xy: Floats, lens: Lens) -> Floats:
     """The image (..., 2) of points (..., 2) of the plane."""
     if isinstance(lens, Distortion):
         return lens_model.distort(xy, lens)

@@ -81,7 +81,7 @@ def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     have two paths of equal length; the signs of the quaternions then decide. ``share`` (...) runs
     from 0 to 1; other values, up to `LARGEST_SHARE`, go on along the same great circle.
     """
-    q0, q1 = _shorter_way(start, end)
+    q0, q1 = _ends_of_shorter_arc(start, end)
     s = checked_share(share)[..., None]
     apart = np.linalg.norm(q1 - q0, axis=-1, keepdims=True)
     together = np.linalg.norm(q1 + q0, axis=-1, keepdims=True)
@@ -95,7 +95,7 @@ def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 
 def nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     """Normalised linear interpolation: slerp's path at an uneven speed, without sines."""
-    q0, q1 = _shorter_way(start, end)
+    q0, q1 = _ends_of_shorter_arc(start, end)
     s = checked_share(share)[..., None]
     return quaternions.normalise((1.0 - s) * q0 + s * q1)
 
@@ -109,7 +109,7 @@ def checked_share(
     return s
 
 
-def _shorter_way(start: ArrayLike, end: ArrayLike) -> tuple[Floats, Floats]:
+def _ends_of_shorter_arc(start: ArrayLike, end: ArrayLike) -> tuple[Floats, Floats]:
     q0, q1 = quaternions.normalise(start), quaternions.normalise(end)
     opposed = (q0 * q1).sum(axis=-1, keepdims=True) < 0.0
     return q0, np.where(opposed, -q1, q1)

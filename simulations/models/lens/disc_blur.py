@@ -134,12 +134,12 @@ def transformed(planes: Planes, kernel: Planes) -> Planes:
 def fast_length(least: int) -> int:
     """The smallest whole number of at least ``least`` without a prime factor above 5."""
     length = least
-    while _rest(length) != 1:
+    while _without_small_factors(length) != 1:
         length += 1
     return length
 
 
-def _rest(number: int) -> int:
+def _without_small_factors(number: int) -> int:
     """A number divided by all its factors 2, 3 and 5."""
     for factor in (2, 3, 5):
         while number % factor == 0:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats, quantile_of
-from simulations.models.distortion.lens import Lens, ideal, seen
+from simulations.models.distortion.lens import Lens, distorted, ideal
 from simulations.models.distortion.lens_model import Distortion
 
 ORDINARY = 0.04
@@ -54,7 +54,7 @@ class PictureLens:
 
     def bent(self, pixels: Floats) -> Floats:
         """Where the lens puts points (..., 2) of an ideal picture."""
-        return self._within(seen(self._apart(pixels), self.distortion))
+        return self._within(distorted(self._apart(pixels), self.distortion))
 
     def straight_with_growth(self, points: Floats, across: Floats) -> tuple[Floats, Floats]:
         """`straight` (..., 2), and how much larger (...) it makes the noise of the points along

@@ -115,8 +115,9 @@ class SingleView:
 
     def spread(self, quantity: Callable[["SingleView"], Floats | float]) -> Floats:
         """Standard errors (...) of numbers that the camera determines, to first order."""
-        J = by_small_steps(lambda step: np.asarray(quantity(self.moved(step))), 7, self.covariance)
-        return np.sqrt(np.einsum("...i,ij,...j->...", J, self.covariance, J))
+        covariance = self.covariance
+        J = numerical_derivatives(lambda s: np.asarray(quantity(self.moved(s))), 7, covariance)
+        return np.sqrt(np.einsum("...i,ij,...j->...", J, covariance, J))
 
 
 def fit_view(
@@ -250,7 +251,7 @@ def focal_from_pair(first: ArrayLike, second: ArrayLike, centre: ArrayLike) -> f
         return float(np.sqrt(np.float64(product) / (w * t)))
 
 
-def by_small_steps(
+def numerical_derivatives(
     function: Callable[[Floats], Floats], count: int, covariance: Floats | None = None
 ) -> Floats:
     """Derivatives (..., count) of a function of ``count`` numbers where all are 0.

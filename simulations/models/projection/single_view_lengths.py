@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_matrices
 from simulations.models.projection.level_ground import height_by_horizon
-from simulations.models.projection.single_view import SingleView, by_small_steps
+from simulations.models.projection.single_view import SingleView, numerical_derivatives
 from simulations.models.projection.vanishing_lines import check_sigma
 from simulations.models.require import require, require_one_of, require_positive
 
@@ -87,8 +87,8 @@ def measured(
         return np.log(lengths(view, ends + unit * step.reshape(2, 2), kinds, normal))
 
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        through_view = by_small_steps(by_view, 7, view.covariance)
-        own = (by_small_steps(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
+        through_view = numerical_derivatives(by_view, 7, view.covariance)
+        own = (numerical_derivatives(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
         apart = np.vstack([through_view[1:], np.zeros(7)]) - through_view[0]
         relative = np.einsum("ni,ij,nj->n", apart, view.covariance, apart)
         relative += np.append(own[1:], 0.0) + own[0]

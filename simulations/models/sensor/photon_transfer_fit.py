@@ -164,7 +164,7 @@ def characterise(
     require("most", most, 0 < most <= 1, "above 0, to 1")
     require("black_dn", black_dn, 0 <= black_dn < highest_dn, f"0 to below {highest_dn:g}")
     mean = np.array([level.mean_dn for level in levels]) - black_dn
-    fitted = np.array([_is_whole(level) for level in levels], bool)
+    fitted = np.array([_has_all_noise(level) for level in levels], bool)
     full = saturation_above(levels, black_dn, highest_dn)
     within = mean <= (most + 0.005) * full
     fitted &= within
@@ -201,7 +201,7 @@ def single_cells(levels: Sequence[Level]) -> tuple[float, float]:
 
     ``levels`` are those of all planes.
     """
-    whole = [level for level in levels if _is_whole(level)]
+    whole = [level for level in levels if _has_all_noise(level)]
     if not whole:
         return 1.0, 0.0
     near = float(np.mean([level.neighbours for level in whole]))
@@ -211,7 +211,7 @@ def single_cells(levels: Sequence[Level]) -> tuple[float, float]:
     return 1 + near, math.hypot(chance, UNSURE * near, beyond)
 
 
-def _is_whole(level: Level) -> bool:
+def _has_all_noise(level: Level) -> bool:
     """Whether all of the noise is in the codes."""
     return level.clipped <= MOST_CLIPPED and level.noise_in_codes >= LEAST_VARIANCE_DN2
 

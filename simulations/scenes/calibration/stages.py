@@ -29,9 +29,9 @@ from simulations.models.calibration.undistorted import undistorted
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import (
     UndeterminedError,
+    estimate_poses,
     homographies,
     poses_of,
-    poses_seen,
 )
 from simulations.models.chequerboard.board_search import NoBoardError
 from simulations.models.chequerboard.find_board import find_board
@@ -196,7 +196,7 @@ def _posed(view: Views, trial: Trial) -> Adjusted | None:
     with suppress(UndeterminedError):
         poses = poses_of(homographies(view), camera.matrix)
         with suppress(UndeterminedError):  # corners may be beyond what this lens can see
-            poses = poses_seen(view, camera)
+            poses = estimate_poses(view, camera)
         poses = replace(poses, shape=trial.fit.poses.shape)
         return refine(view, camera, poses, (), draft=True)
     return None
