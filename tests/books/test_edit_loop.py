@@ -15,6 +15,7 @@ from support.engine import Engine
 from support.page_scripts import SILENT_WORKER
 from support.places import GERMAN_BOOK, ROOT
 from support.reader import set_limits
+from support.static_server import free_port
 
 pytestmark = pytest.mark.browser
 LONGEST_S = 120
@@ -46,12 +47,6 @@ class Author:
 
     def is_same_load(self) -> bool:
         return bool(self.page.evaluate(MARKED))
-
-
-def free_port() -> int:
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        return int(free.getsockname()[1])
 
 
 def wait_for_server(port: int) -> None:

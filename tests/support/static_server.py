@@ -1,5 +1,6 @@
 """A static file server for tests, which can damage files and send further headers."""
 
+import socket
 import sys
 import threading
 import time
@@ -19,6 +20,13 @@ TYPES = {
     ".woff2": "font/woff2",
     ".svg": "image/svg+xml",
 }
+
+
+def free_port() -> int:
+    """A port of this machine on which nobody listens."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return int(probe.getsockname()[1])
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,6 @@ from simulations.models.distortion.radial_profile import (
     slope,
 )
 from simulations.models.distortion.radial_table import (
-    Grid,
     cell_of,
     grid_for,
     image_squared_at,
@@ -244,16 +243,12 @@ BARREL, PINCUSHION, HARDLY = (RadialProfile((k,)) for k in (-1 / 3, 1 / 3, 1e-6)
 CASES = [(BARREL, 1.0), (BARREL, 0.25), (PINCUSHION, 1.0), (PINCUSHION, 64.0), (HARDLY, 2.0)]
 
 
-def grid_of(profile: RadialProfile, reach: float, cells: int = 256) -> Grid:
-    return grid_for(profile, largest_image_radius(profile), reach, cells)
-
-
 @pytest.mark.parametrize(("profile", "reach"), CASES)
 @pytest.mark.parametrize("cells", [1, 256])
 def test_each_place_of_the_table_is_found_in_its_cell(
     profile: RadialProfile, reach: float, cells: int
 ) -> None:
-    grid = grid_of(profile, reach, cells)
+    grid = grid_for(profile, largest_image_radius(profile), reach, cells)
     places = np.linspace(0.0, cells, 1001)
     images = image_squared_at(grid, places)
     np.testing.assert_allclose(cell_of(grid, images), places, atol=1e-10)

@@ -9,7 +9,7 @@ from support.drawn_lines import CENTRE, FOCAL, HEIGHT, SIZE, above, image_of, li
 from simulations.models.arrays import Floats
 from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import intrinsics
-from simulations.models.projection.single_view import SingleView, fit_view, focal_from_pair
+from simulations.models.projection.single_view import fit_view, focal_from_pair
 from simulations.models.projection.single_view_lengths import Stretch, measured
 from simulations.models.projection.vanishing_lines import fit_vanishing_point, pixel_of
 
@@ -17,10 +17,6 @@ POSE = pose_above_ground(1.5, 0.6, 0.3, 0.05)
 
 EXACT = 1e-3
 """Error of ends drawn without noise, so small that priors have no weight."""
-
-
-def log_focal(view: SingleView) -> float:
-    return math.log(view.focal_px)
 
 
 @pytest.mark.parametrize("counts", [(4, 4, 4), (2, 2, 0), (2, 0, 2), (0, 3, 2), (2, 2, 1)])
@@ -60,7 +56,7 @@ def test_one_vanishing_point_leaves_the_focal_length_undetermined(seed: int) -> 
     rng = np.random.default_rng(seed)
     ends, axes = lines_along_axes(pose_above_ground(1.5, 0.0, 0.0), rng)
     view = fit_view(ends + rng.normal(0, 1, ends.shape), axes, SIZE)
-    assert view.spread(log_focal) > 0.5
+    assert view.spread(lambda view: math.log(view.focal_px)) > 0.5
     away = view.vanishing[1]
     np.testing.assert_allclose(away[:2] / away[2], CENTRE, atol=12.0)
 

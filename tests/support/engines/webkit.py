@@ -5,7 +5,6 @@ import os
 import re
 import shutil
 import signal
-import socket
 import subprocess
 import time
 from collections.abc import Iterator, Mapping, Sequence
@@ -17,6 +16,7 @@ from urllib.request import Request, urlopen
 
 from support.engines.engine import call
 from support.limits import limit_ms, limit_s
+from support.static_server import free_port
 
 PACKAGES = ("webkit2gtk-driver", "gir1.2-webkit2-4.1", "python3-gi", "xvfb")
 """Packages of Debian."""
@@ -85,7 +85,7 @@ class WebKit:
 @contextmanager
 def open_webkit(driver: Path, profile: Path) -> Iterator[WebKit]:
     """Start WebKitGTK with this empty folder as its profile."""
-    port = _free_port()
+    port = free_port()
     command = [str(driver), f"--port={port}"]
     with _screen() as display, (profile / CONSOLE).open("w", encoding="utf-8") as console:
         environment = {**os.environ, "HOME": str(profile), "DISPLAY": display, "GDK_BACKEND": "x11"}
@@ -116,13 +116,6 @@ def _screen() -> Iterator[str]:
             yield f":{process.stdout.readline().strip()}"  # written once it can be used
         finally:
             process.terminate()
-
-
-def _free_port() -> int:
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-        return port
 
 
 def _wait_for_driver(address: str) -> None:
