@@ -8,17 +8,19 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 from dataclasses import asdict, replace
 
+import cv2
 import numpy as np
 import pytest
 from pypdf import PdfReader
 from pypdf.generic import ContentStream
-from support.chequerboards import SIZE, TRUTH, facing_board, photographs
+from support.chequerboards import SIZE, TRUTH, bent_views, facing_board, photographs
 from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
 from simulations.engine.reading import Reading, Readings, UnfitError
 from simulations.engine.stages import Outputs, StageCache
+from simulations.models.calibration.camera import PINHOLE, Camera
 from simulations.models.chequerboard.board import POINTS, Board
 from simulations.models.chequerboard.find_board import find_board
 from simulations.models.error_measures import root_mean_square
@@ -234,7 +236,7 @@ def test_sheet_and_readout_use_the_supported_model() -> None:
 def test_files_sheet_and_developed_photograph_use_the_same_camera() -> None:
     settings, given = Settings(photographs=8, lens="p1p2"), readings(8)
     outputs = outputs_of(settings, given)
-    yaml, text, xml = (export.make(settings, outputs) for export in SCENE.instrument.exports)
+    yaml, text, xml, *_ = (export.make(settings, outputs) for export in SCENE.instrument.exports)
     saved = json.loads(text)
     assert f"{saved['camera']['fx']:.17g}" in yaml
     assert [p["name"] for p in saved["photographs"]] == [f"{index}.jpg" for index in range(8)]
@@ -261,3 +263,31 @@ def test_board_is_measured_in_millimetres_only_if_a_square_is(side: float, unit:
     words = " ".join((texts_of(frame)["board"], frame.description, frame.panels[2].overlay))
     assert unit in words
     assert ("mm" in words) == (side > 0)
+
+
+def test_poses_in_the_files_belong_to_a_flat_board() -> None:
+    """OpenCV's projection with the numbers of the file alone has the error that the file states."""
+    settings = SCENE.check({"shape": "bent", "lens": "k1k2", "photographs": 40})
+    _, views = bent_views({"sag_mm": 2.0}, np.random.default_rng(3))
+    data = {"width": 1600, "height": 1200, "indices": views.board[0].astype(int).tolist()}
+    given = tuple(
+        Reading(n, f"{n}.jpg", {**data, "corners": pixels.tolist()})
+        for n, pixels in enumerate(views.pixels)
+    )
+    outputs = SCENE.run(settings, "", StageCache(), None, given).outputs
+    (make,) = (each.make for each in SCENE.instrument.exports if each.name == "camera-and-poses")
+    read = json.loads(make(settings, outputs))
+    camera = Camera(*(read["camera"][name] for name in PINHOLE))
+    lens = np.array([read["camera"][name] for name in ("k1", "k2", "p1", "p2", "k3")])
+    board = np.column_stack((views.board[0], np.zeros(len(views.board[0]))))
+    squares = []
+    for pose, pixels in zip(read["photographs"], views.pixels, strict=True):
+        turn, shift = (np.array(pose[name]) for name in ("rotation_vector", "translation"))
+        seen, _ = cv2.projectPoints(board, turn, shift, camera.matrix, lens)
+        squares.append(np.sum((seen[:, 0] - pixels) ** 2, axis=-1))
+        assert np.sqrt(np.mean(squares[-1])) == pytest.approx(pose["rms_px"], rel=1e-6)
+    assert np.sqrt(np.mean(squares)) == pytest.approx(read["rms_px"], rel=1e-6)
+    assert read["board_shape"]["rms_px"] < 0.5 * read["rms_px"]
+    noise = np.sqrt(np.diag(read["covariance"]["matrix"]))
+    errors = np.array([read["standard_errors"][each] for each in read["covariance"]["parameters"]])
+    assert np.all((noise <= errors * (1 + 1e-9)) & (noise > 0.2 * errors))

@@ -1,4 +1,5 @@
-"""A calibration as files for other programs: OpenCV's YAML, JSON, and a lens for Lensfun.
+"""A calibration as files for other programs: OpenCV's YAML, JSON, a lens for Lensfun, and cameras
+for ROS and COLMAP. Poses are those of a flat board with square squares, as others have it.
 
 Lensfun's model ``poly5`` is r_d = r (1 + k₁ r² + k₂ r⁴), from undistorted to distorted radii as
 ours, but its unit of length is half the shorter side of the picture, from the centre of the
@@ -15,6 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from simulations.models.arrays import Floats
+from simulations.models.calibration.board_shape import Shape
 from simulations.models.calibration.camera import Camera, Poses
 from simulations.models.distortion import radial_profile
 from simulations.models.distortion.fisheye import Fisheye
@@ -34,9 +36,15 @@ class Report:
     errors: Mapping[str, float]
     """Standard error of each free parameter."""
     rms_px: float
+    """With these poses."""
     poses: Poses
+    """Of a flat board."""
     photographs: Sequence[tuple[str, float]]
     """Name and RMS error in px of each, in the order of the poses."""
+    covariance: Floats | None = None
+    """(m, m) of the parameters in ``errors``, if all that is left is noise."""
+    bent: tuple[Shape, float] | None = None
+    """The board's shape, and the RMS error in px with it, if it was estimated."""
     taken: Mapping[str, float | str] = field(default_factory=dict)
     """Make, model, lens and focal length in mm by their files, if all agree."""
 
@@ -95,7 +103,12 @@ def as_json(report: Report) -> str:
             "model": "fisheye" if isinstance(camera.lens, Fisheye) else "brown",
             "camera": values | coefficients(camera.lens),
             "standard_errors": dict(report.errors),
+            "covariance": {
+                "parameters": list(report.errors),
+                "matrix": None if report.covariance is None else report.covariance.tolist(),
+            },
             "rms_px": report.rms_px,
+            "board_shape": _shape_of(report),
             "taken": dict(report.taken),
             "photographs": [
                 {"name": name, "rms_px": rms, "rotation_vector": turn, "translation": shift}
@@ -105,6 +118,56 @@ def as_json(report: Report) -> str:
         indent=2,
         ensure_ascii=False,
     )
+
+
+def _shape_of(report: Report) -> object:
+    """Coefficients by axis and powers of u and v, as in `board_shape`; null for a flat board."""
+    if report.bent is None:
+        return None
+    shape, rms_px = report.bent
+    return {
+        "coefficients": dict(zip(shape.names, shape.values, strict=True)),
+        "middle": shape.middle,
+        "half_side": shape.reach,
+        "rms_px": rms_px,
+    }
+
+
+def ros_yaml(report: Report) -> str:
+    """For ROS's ``camera_info``, as ``camera_calibration_parsers`` reads it."""
+    fisheye = isinstance(report.camera.lens, Fisheye)
+    lens = np.array([[*coefficients(report.camera.lens).values()]])
+    projection = np.hstack((report.camera.matrix, np.zeros((3, 1))))
+    matrices = {
+        "camera_matrix": report.camera.matrix,
+        "distortion_coefficients": lens,
+        "rectification_matrix": np.eye(3),
+        "projection_matrix": projection,
+    }
+    lines = [
+        f"image_width: {report.size[0]}",
+        f"image_height: {report.size[1]}",
+        "camera_name: camera",
+        f"distortion_model: {'equidistant' if fisheye else 'plumb_bob'}",
+    ]
+    for name, values in matrices.items():
+        rows, columns = values.shape
+        data = ", ".join(f"{value:.17g}" for value in values.ravel())
+        lines += [f"{name}:", f"  rows: {rows}", f"  cols: {columns}", f"  data: [{data}]"]
+    return "\n".join((*lines, ""))
+
+
+def colmap_text(report: Report) -> str:
+    """COLMAP's ``cameras.txt``, where the first pixel is centred at (0.5, 0.5)."""
+    camera, lens = report.camera, coefficients(report.camera.lens)
+    model = "OPENCV"
+    if isinstance(camera.lens, Fisheye):
+        model = "OPENCV_FISHEYE"
+    elif lens.pop("k3"):
+        model, lens = "FULL_OPENCV", coefficients(camera.lens) | {"k4": 0.0, "k5": 0.0, "k6": 0.0}
+    numbers = (camera.fx, camera.fy, camera.cx + 0.5, camera.cy + 0.5, *lens.values())
+    parameters = " ".join(f"{number:.17g}" for number in numbers)
+    return f"1 {model} {report.size[0]} {report.size[1]} {parameters}\n"
 
 
 @dataclass(frozen=True, slots=True)

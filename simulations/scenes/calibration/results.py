@@ -1,6 +1,7 @@
 """What the calibration gives away: files, the data sheet, and photographs without distortion."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -15,11 +16,13 @@ from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.reading import Readings, UnfitError
 from simulations.engine.stages import Outputs
 from simulations.models.calibration import exports
+from simulations.models.calibration.board_shape import FLAT
+from simulations.models.calibration.bundle_adjustment import refine
 from simulations.models.calibration.camera import LENSES as MODELS
 from simulations.models.calibration.camera import PINHOLE
 from simulations.models.calibration.exports import Maker, Report
 from simulations.models.calibration.shape_size import stretched
-from simulations.models.calibration.standard_errors import rms_of_each
+from simulations.models.calibration.standard_errors import rms_of_each, rms_px
 from simulations.models.calibration.undistorted import undistorted
 from simulations.scenes.calibration.board_drawing import board_words
 from simulations.scenes.calibration.boards import Boards
@@ -56,14 +59,20 @@ def _determined(outputs: Outputs) -> Result:
 
 def _report(outputs: Outputs) -> Report:
     given: Boards = outputs["used"]
-    trial = _determined(outputs).trial
-    each = rms_of_each(outputs["trials"].views, trial.fit).tolist()
+    trial, views = _determined(outputs).trial, outputs["trials"].views
+    fit, names = trial.fit, PINHOLE + MODELS[trial.lens]
+    shape = fit.poses.shape
+    if shape.terms:
+        fit = refine(views, fit.camera, replace(fit.poses, shape=FLAT), (), draft=True)
+    each = rms_of_each(views, fit).tolist()
     return Report(
-        camera=trial.fit.camera,
+        camera=fit.camera,
         size=given.size,
-        errors={name: trial.uncertainty.errors[name] for name in PINHOLE + MODELS[trial.lens]},
-        rms_px=trial.rms_px,
-        poses=trial.fit.poses,
+        errors={name: trial.uncertainty.errors[name] for name in names},
+        covariance=trial.uncertainty.covariance[: len(names), : len(names)],
+        rms_px=rms_px(views, fit),
+        poses=fit.poses,
+        bent=(shape, trial.rms_px) if shape.terms else None,
         photographs=tuple(zip(given.names, each, strict=False)),
         taken=given.taken,
     )
@@ -161,4 +170,6 @@ EXPORTS: tuple[Export[Settings], ...] = (
     Export("camera", "OpenCV YAML", ".yaml", _file(exports.opencv_yaml)),
     Export("camera-and-poses", "JSON", ".json", _file(exports.as_json)),
     Export("lens", "Lensfun entry", ".xml", _lensfun),
+    Export("camera-info", "ROS camera_info", ".yaml", _file(exports.ros_yaml)),
+    Export("cameras", "COLMAP cameras.txt", ".txt", _file(exports.colmap_text)),
 )

@@ -10,8 +10,17 @@ import pytest
 from support.chequerboards import SIZE, TRUTH, photographs
 
 from simulations.models.calibration.camera import Camera
-from simulations.models.calibration.exports import Maker, Report, as_json, lensfun_xml, opencv_yaml
+from simulations.models.calibration.exports import (
+    Maker,
+    Report,
+    as_json,
+    colmap_text,
+    lensfun_xml,
+    opencv_yaml,
+    ros_yaml,
+)
 from simulations.models.calibration.undistorted import UNSEEN, undistorted
+from simulations.models.distortion.fisheye import Fisheye
 from simulations.models.distortion.lens_model import Distortion
 
 POSES = photographs(3).poses
@@ -52,6 +61,27 @@ def test_json_has_camera_errors_and_poses() -> None:
     assert read["standard_errors"] == {"fx": 0.2}
     assert [entry["name"] for entry in read["photographs"]] == ["a.jpg", "b.jpg", "c & d.jpg"]
     assert read["photographs"][1]["rms_px"] == 0.2
+
+
+def test_ros_and_colmap_have_the_same_camera() -> None:
+    """COLMAP centres the first pixel at (0.5, 0.5)."""
+    rich = Camera(600.0, 603.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08, k3=0.01))
+    fisheye = Camera(400.0, 401.0, 322.0, 236.0, Fisheye(0.1, 0.02, 0.03, 0.04))
+    for camera, ros, colmap, lens in (
+        (TRUTH, "plumb_bob", "OPENCV", [-0.25, 0.08, 6e-4, -4e-4]),
+        (rich, "plumb_bob", "FULL_OPENCV", [-0.25, 0.08, 0.0, 0.0, 0.01, 0.0, 0.0, 0.0]),
+        (fisheye, "equidistant", "OPENCV_FISHEYE", [0.1, 0.02, 0.03, 0.04]),
+    ):
+        lines = ros_yaml(report(camera)).splitlines()
+        assert f"distortion_model: {ros}" in lines
+        data = [json.loads(line.partition(":")[2]) for line in lines if "data:" in line]
+        assert data[0] == camera.matrix.ravel().tolist()
+        assert data[1][:4] == lens[:4]
+        assert np.array(data[3]).reshape(3, 4)[:, :3].tolist() == camera.matrix.tolist()
+        number, model, width, height, *parameters = colmap_text(report(camera)).split()
+        assert (number, model, int(width), int(height)) == ("1", colmap, *SIZE)
+        pinhole = [camera.fx, camera.fy, camera.cx + 0.5, camera.cy + 0.5]
+        assert list(map(float, parameters)) == [*pinhole, *lens]
 
 
 def lensfun_pixels(xml: str, ideal: np.ndarray) -> np.ndarray:
