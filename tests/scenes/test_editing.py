@@ -17,9 +17,9 @@ from simulations.registry import SCENE_MODULES, load_scene
 
 SAMPLE = ("jpeg", "lens-distortion", "single-view")
 JPEG = SCENE_MODULES["jpeg"]
-STAGE, ORIGINAL, STAGES = (f"{JPEG}:{name}" for name in ("fidelity", "whole_codes", "STAGES"))
+STAGE, ORIGINAL, STAGES = (f"{JPEG}:{name}" for name in ("fidelity", "rounded_codes", "STAGES"))
 HEAD = "def fidelity(decoded, original):\n"
-DARK = "def whole_codes():\n    return 0.2 * balloon()"
+DARK = "def rounded_codes():\n    return 0.2 * balloon()"
 
 
 def source_of(definition: str) -> str:
@@ -47,7 +47,7 @@ def test_copy_without_edits_draws_the_same_frame(scene_id: str) -> None:
 
 
 SPOILS = (
-    "def whole_codes():\n    picture = balloon()\n    picture.flags.writeable = True\n"
+    "def rounded_codes():\n    picture = balloon()\n    picture.flags.writeable = True\n"
     "    picture[:] = 0\n    return np.zeros_like(picture, np.float64)\n"
 )
 
@@ -145,7 +145,7 @@ CODED = (
     "def coded(planes, quality, subsampling, tier):\n"
     "    return jpeg.encode(planes, -5, subsampling, TRANSFORMS[tier])"
 )
-NO_PSNR = "\n" * 7 + "def whole_codes():\n    return balloon()\n\npsnr_db = None"
+NO_PSNR = "\n" * 7 + "def rounded_codes():\n    return balloon()\n\npsnr_db = None"
 RAISED = next(
     n for n, text in enumerate(module_source(JPEG).split("\n"), 1) if "return psnr_db" in text
 )
