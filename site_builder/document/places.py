@@ -16,9 +16,9 @@ from markdown_it.token import Token
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.references.terms import Symbol, Term
 
-META = ("mathml", "before", "after", "target", "id", "subId", "label")
+META = ("mathml", "before", "after", "target", "title", "id", "subId", "label")
 """What renderers use of a token's ``meta``: a formula as MathML and the text beside it, the target
-of a heading or equation, the numbers of footnotes."""
+of a heading or equation and the heading's words, the numbers of footnotes."""
 
 
 @dataclass(frozen=True, slots=True)

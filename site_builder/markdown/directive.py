@@ -105,6 +105,8 @@ class Numbered:
     """Element id, where the author gives no ``:label:``."""
     again: bool = False
     """Whether a page may show the same twice; the id of the second then ends in ``-2``."""
+    label: str = ""
+    """What each is called before its number, where that is no word of the language's."""
 
 
 LABEL = OptionLine(name="label", doc="what it is cited by")

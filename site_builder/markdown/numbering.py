@@ -144,7 +144,12 @@ class _Numbering:
         else:
             name = self.context.take_id(numbered.id(call), call.line, call.name)
         self.context.placed[call.line] = self._count(
-            numbered.kind, name, call.line, labelled=bool(label), counted=counted
+            numbered.kind,
+            name,
+            call.line,
+            labelled=bool(label),
+            counted=counted,
+            called=numbered.label,
         )
         if call.name == "simulation":
             first, last = token.map or (0, 0)
@@ -224,11 +229,18 @@ class _Numbering:
         return self.context.take_id(label, line, kind)
 
     def _count(
-        self, kind: str, name: str, line: int, *, labelled: bool, counted: bool = False
+        self,
+        kind: str,
+        name: str,
+        line: int,
+        *,
+        labelled: bool,
+        counted: bool = False,
+        called: str = "",
     ) -> Target:
         self.counts[kind] += 1
         number = f"{self.context.position.mark}.{self.counts[kind]}"
-        label = self.context.shared.words.label(kind)
+        label = called or self.context.shared.words.label(kind)
         shown = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
         target = Target(
             kind=kind,

@@ -217,7 +217,8 @@ class Settings:
     path: ReadingPath = key(table(ReadingPath), "a way through the book", ReadingPath())
     boxes: Mapping[str, str] = key(
         entries('a table of names with titles, theorem = "Theorem"'),
-        "directives of the book's own, `:::{theorem} Its name`: notes with these titles",
+        "directives of the book's own, `:::{theorem} Its name`: notes that are numbered under "
+        "these titles, and that a `:label:` lets references name",
         MappingProxyType({}),
         without="none",
     )

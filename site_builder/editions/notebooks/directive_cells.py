@@ -207,7 +207,8 @@ def deeper(content: Deeper, block: Block, page: ChapterPage) -> Iterator[Part]:
 
 
 def callout(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:
-    return _quoted(f"**{page.markdown(content.title)}**", block, page)
+    title = page.markdown(content.title)
+    return _quoted(f"{named(block.target)}{title and f'**{title}**'}".rstrip(), block, page)
 
 
 def example(content: Box, block: Block, page: ChapterPage) -> Iterator[Part]:

@@ -3,7 +3,6 @@ boxes that a book adds; and ``{table}``, a table that has a caption."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any
 
 from markdown_it.token import Token
@@ -94,15 +93,19 @@ TABLE = Directive(
 
 
 def book_boxes(titles: Mapping[str, str]) -> Iterator[Directive[Any]]:
-    """The directives that a book adds by ``[boxes]`` in ``book.toml``: notes that begin with these
-    titles, which are given by the names of the directives."""
+    """The directives that a book adds by ``[boxes]`` in ``book.toml``: notes that are numbered and
+    begin with these titles, which are given by the names of the directives."""
     (note,) = (callout for callout in CALLOUTS if callout.name == "note")
     for name, title in titles.items():
-        yield replace(note, name=name, read=partial(_read_book_box, title))
+        numbered = Numbered(name, _box_id, again=True, label=title)
+        yield replace(note, name=name, options=(LABEL,), numbered=numbered, read=_read_book_box)
+
+
+def _box_id(call: DirectiveCall) -> str:
+    return f"{call.name}-{slug(call.argument)}" if call.argument else call.name
 
 
 def _read_book_box(
-    title: str, call: DirectiveCall, body: Sequence[Block] | Passage, context: ParseContext
+    call: DirectiveCall, _body: Sequence[Block] | Passage, context: ParseContext
 ) -> Box:
-    argument = ". ".join(filter(None, (title, call.argument)))
-    return read_box(replace(call, name="note", argument=argument), body, context)
+    return Box("note", inline_passage(call.argument, call.line, context), Passage())

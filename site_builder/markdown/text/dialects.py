@@ -14,7 +14,8 @@ from site_builder.document.places import chapter_id
 type Problem = tuple[int, *tuple[str, ...]]
 """A line, a message about it, and what follows from the mistake."""
 KINDS = {
-    "admonition seealso proof theorem definition lemma": "'note', 'tip', 'warning' or 'key-idea'",
+    "admonition seealso proof theorem definition lemma": "'note', 'tip', 'warning', 'key-idea', or "
+    "one of [boxes] in content/book.toml",
     "solution": "'quiz', 'predict' or 'exercise' with its answers",
     "caution danger attention callout-caution callout-warning": "'warning'",
     "important callout-important": "'key-idea'",
