@@ -87,9 +87,13 @@ class Lengths:
 def lens_of(
     photo: Codes, lines: Lines, calibration: str, readings: Readings, photograph: Photograph | None
 ) -> tuple[PictureLens, str]:
-    """The lens, and how it is known: by calibration, or by the edges along the lines."""
+    """The lens, and how it is known: by calibration, or by the edges along the lines. That of the
+    book's pictures has no distortion; calibrated, its focal length is known too."""
     if photograph is None:
-        return IDEAL, "without distortion"
+        if calibration != "any":
+            return IDEAL, "without distortion"
+        middle = (0.5 * (lines.size[0] - 1), 0.5 * (lines.size[1] - 1))
+        return PictureLens(middle, (FOCAL_PX, FOCAL_PX), pinhole_errors=(FOCUS, 0.0)), "calibrated"
     why = ""
     for reading in readings if calibration != "none" else ():
         why = "" if calibration == "any" else other_camera(reading.data, photograph)
