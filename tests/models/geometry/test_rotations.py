@@ -14,11 +14,6 @@ from simulations.models.geometry import euler, quaternions, rotation_paths, rota
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 
 
-def wxyz(rotation: Rotation) -> Floats:
-    """Quaternions (..., 4) with the real part first, as in our models."""
-    return np.roll(rotation.as_quat(), 1, axis=-1)
-
-
 def same_up_to_sign(a: Floats, b: Floats) -> Floats:
     """(...) largest difference of the entries; q and −q are one rotation."""
     return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))

@@ -19,11 +19,7 @@ from simulations.models.sensor.photon_transfer_file import (
     planes_of,
     unevenness,
 )
-from simulations.models.sensor.photon_transfer_fit import (
-    black_of_dark,
-    characterise,
-    single_cells,
-)
+from simulations.models.sensor.photon_transfer_fit import black_of_dark, characterise, single_cells
 from simulations.models.sensor.photon_transfer_pair import Level, measure_pair
 from simulations.models.sensor.photon_transfer_standard import by_the_standard
 
