@@ -214,6 +214,7 @@ def _first_uses(chapter: Chapter) -> Iterator[tuple[str, Formula]]:
 PLACEHOLDERS = (
     "What this book is about, in a sentence.",
     "What its reader should know.",
+    "Choose under which terms others may use it",
     "In one sentence, what this chapter tells.",
     "say one thing that one could not say before",
     "Begin with something that one can see or hear.",

@@ -74,6 +74,20 @@ def test_decimals_follow_from_the_step(step: float, decimals: int) -> None:
     assert str(stepped(-1, 1, 0.5).clamp(-0.0)) == str(stepped(-1, 1, 0.5).check("-0")) == "0.0"
 
 
+@pytest.mark.parametrize(
+    ("low", "high", "default", "reason"),
+    [
+        (20, 1, 5, "x: the range 20 to 1; legal: the smaller number first"),
+        (1, 20, 0, "x: default 0 outside 1 to 20"),
+    ],
+)
+def test_slider_of_an_impossible_range_is_refused(
+    low: float, high: float, default: float, reason: str
+) -> None:
+    with pytest.raises(ControlError, match=reason):
+        stepped(low, high, 1, default)
+
+
 def test_missing_values_take_defaults_and_texts_are_parsed_by_type() -> None:
     assert check_settings(Settings, {}) == Settings()
     assert values_of(Settings())["play"] == 0

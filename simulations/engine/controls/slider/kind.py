@@ -33,6 +33,9 @@ class Slider:
     """Legal annotations of its field."""
 
     def __post_init__(self) -> None:
+        if self.minimum >= self.maximum:
+            legal = "the smaller number first"
+            raise ControlError(f"{self.name}: the range {self.legal}; legal: {legal}")
         if not self.minimum <= self.default <= self.maximum:
             raise ControlError(f"{self.name}: default {self.default} outside {self.legal}")
         if not 0 < self.step <= self.maximum - self.minimum:
