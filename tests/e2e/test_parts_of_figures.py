@@ -62,3 +62,25 @@ def test_leader_and_part_show_one_frame_whichever_is_moved(visitor: Reader) -> N
     visitor.turn_to_unlinked(address)
     assert_both_show("0.2")
     page.emulate_media(reduced_motion="null")
+
+
+def test_controls_of_a_part_move_those_of_its_leader_and_follow_them(visitor: Reader) -> None:
+    visitor.turn_to("sampling-and-aliasing/")
+    page = visitor.page
+    leader, part = (
+        page.locator(f"#figure-{name} simulation-figure")
+        for name in ("slanted-edge", "line-and-wave")
+    )
+    contrast = part.locator("output[name=contrast]")
+    before = contrast.inner_text()
+    with visitor.next_frame(leader):
+        part.locator("[name=wave]").fill("0.6")
+    assert leader.locator("[name=wave]").input_value() == "0.6"
+    assert contrast.inner_text() == leader.locator("output[name=contrast]").text_content() != before
+    aperture = leader.locator("[name=aperture]")
+    with visitor.next_frame(part):
+        aperture.fill("16")
+    for shown in (leader, part):
+        assert shown.locator("[name=aperture]").input_value() == "16"
+        value = shown.locator(".control:has([name=aperture]) .control-value")
+        assert value.text_content() == "f/16.0"
