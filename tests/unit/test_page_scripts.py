@@ -157,8 +157,8 @@ def test_typed_numbers_may_have_either_decimal_sign_and_any_minus(
     book: Path, exceptions: dict[str, float], tmp_path: Path
 ) -> None:
     program = (
-        'import { numberTyped } from "./js/page/words.js";\n'
-        f"console.log(JSON.stringify({json.dumps(list(TYPED))}.map(numberTyped)));\n"
+        'import { parseNumber } from "./js/page/words.js";\n'
+        f"console.log(JSON.stringify({json.dumps(list(TYPED))}.map(parseNumber)));\n"
     )
     found = output_of(tmp_path, program, book, "page/words")
     assert dict(zip(TYPED, found, strict=True)) == {**TYPED, **exceptions}
