@@ -139,8 +139,9 @@ def lens_by_lines(lines: Sequence[Floats], lens: PictureLens) -> PictureLens:
         information = float(J @ J) / variance + known
         away = found.distortion.k1 - lens.distortion.k1
         found = found.moved(-(float(J @ r) / variance + away * known) / information)
-    pulls = np.bincount(of, J * r) / variance
-    shared = float(pulls @ pulls) * len(lines) / max(len(lines) - 1, 1) / information**2
+    leverage = np.bincount(of, J * J) / variance / information  # of a line; the jackknife
+    pulls = np.bincount(of, J * r) / variance / np.maximum(1.0 - leverage, 0.1)
+    shared = float(pulls @ pulls) / information**2
     return replace(found, error=float(np.sqrt(max(1.0 / information, shared))))
 
 
