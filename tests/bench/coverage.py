@@ -22,7 +22,7 @@ def main() -> None:
                 slug(number): {
                     "one_pct": round(100 * one),
                     "two_pct": round(100 * two),
-                    "untold_pct": round(100 * unreported),
+                    "unreported_pct": round(100 * unreported),
                 }
                 for number, (one, two, unreported) in shares(kind, world, CAMERAS, SIDE).items()
             }

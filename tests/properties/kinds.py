@@ -107,7 +107,7 @@ def interval(closed_low: bool, low: float, high: float, closed_high: bool) -> Ki
     return Kind(middle, draw, [end for end, closed in ends.items() if closed], illegal)
 
 
-def whole(_left: bool, low: float, high: float, _right: bool) -> Kind:
+def integers(_left: bool, low: float, high: float, _right: bool) -> Kind:
     top = high if high < INF else low + 5
     legal = sorted({low, low + 1, top} & set(range(int(low), int(top) + 1)))
     beyond = [high + 1, INF] if high < INF else [INF]
@@ -119,17 +119,17 @@ def whole(_left: bool, low: float, high: float, _right: bool) -> Kind:
     )
 
 
-def some(*legal: Any, no: Sequence[Any] = ()) -> Kind:
-    """Some legal values, the first of which is the example; ``no`` are illegal."""
+def listed(*legal: Any, no: Sequence[Any] = ()) -> Kind:
+    """The listed values are legal, the first of which is the example; ``no`` are illegal."""
     return Kind(legal[0], lambda rng: legal[rng.integers(len(legal))], legal, no)
 
 
-def ones(*shapes: tuple[int, ...]) -> list[Any]:
+def arrays_of_ones(*shapes: tuple[int, ...]) -> list[Any]:
     return [np.ones(shape) for shape in shapes]
 
 
 def one_of(*words: str) -> Kind:
-    return some(*words, no=["magic", ""])
+    return listed(*words, no=["magic", ""])
 
 
 def changed_somewhere(value: Any, *entries: float) -> list[Any]:
@@ -214,17 +214,19 @@ KINDS: dict[str, Kind] = {
     "finite": FINITE,
     "angle": interval(True, -10.0, 10.0, True),
     "rng": sampled(lambda rng: rng),
-    "shape": some((2, 3)),
-    "two": some((0.5, 0.25), (1e200, -1e-300), no=[(NAN, 0.0), (0.0, INF)]),
-    "sequence": some("ZYX", "xyz", "zxz", "XYX", no=["", "xy", "xxy", "xYz", "abc", "zYX"]),
-    "moving sequence": some("ZYX", "XYX", no=["", "xyz", "ZYY", "zYX"]),
+    "shape": listed((2, 3)),
+    "two": listed((0.5, 0.25), (1e200, -1e-300), no=[(NAN, 0.0), (0.0, INF)]),
+    "sequence": listed("ZYX", "xyz", "zxz", "XYX", no=["", "xy", "xxy", "xYz", "abc", "zYX"]),
+    "moving sequence": listed("ZYX", "XYX", no=["", "xyz", "ZYY", "zYX"]),
     "rotation": sampled(
         lambda rng: rotations.exponential(rng.normal(size=3)),
         I3 + 0.9e-6 * np.eye(3, k=1),
         no=DRIFTED,
     ),
-    "invertible": some(I3, 1e-100 * TURN, no=[0 * I3, KEYSTONE[[0, 0, 2]], I3 * NAN, I3 * 5e-324]),
-    "nearly rotation": some(
+    "invertible": listed(
+        I3, 1e-100 * TURN, no=[0 * I3, KEYSTONE[[0, 0, 2]], I3 * NAN, I3 * 5e-324]
+    ),
+    "nearly rotation": listed(
         TURN,
         1e200 * TURN,
         np.diag([3.0, 2.0, -1.0]),
@@ -233,17 +235,17 @@ KINDS: dict[str, Kind] = {
     ),
     "quaternion": any_direction(4, NO_QUATERNION),
     "axis": any_direction(3, NO_DIRECTION),
-    "unit": some(UP, (0.6, 0.0, 0.8), (0, 0, 1 + 0.9e-4), no=NO_UNIT),
-    "light": some(UP, (0.6, 0.0, 0.8), no=NO_UNIT),
-    "normals": some(np.array([UP, (0.6, 0.0, 0.8)]), np.zeros((2, 3))),
-    "K": some(K),
-    "pose": some(POSE, np.eye(4)),
-    "chromaticity": some((0.31, 0.33), (0.45, 0.41), (1 / 3, 1 / 3), no=NO_CHROMATICITY),
-    "spectrum": some(SPECTRUM, no=[0 * SPECTRUM, SPECTRUM[1:]]),
-    "reflectance": some(SPECTRUM, 0 * SPECTRUM, no=[1.1 * SPECTRUM, -SPECTRUM, SPECTRUM[1:]]),
-    "curves": some(np.stack([SPECTRUM] * 3, axis=1)),
-    "glass": some(Glass(), Glass(10.0, 1.0), Glass(1.1, INF)),
-    "singlet": some(Singlet(1 / 40, -1 / 40, 10.0, 1.5), Singlet(0.02, 0.01, 3.0, 1.8)),
+    "unit": listed(UP, (0.6, 0.0, 0.8), (0, 0, 1 + 0.9e-4), no=NO_UNIT),
+    "light": listed(UP, (0.6, 0.0, 0.8), no=NO_UNIT),
+    "normals": listed(np.array([UP, (0.6, 0.0, 0.8)]), np.zeros((2, 3))),
+    "K": listed(K),
+    "pose": listed(POSE, np.eye(4)),
+    "chromaticity": listed((0.31, 0.33), (0.45, 0.41), (1 / 3, 1 / 3), no=NO_CHROMATICITY),
+    "spectrum": listed(SPECTRUM, no=[0 * SPECTRUM, SPECTRUM[1:]]),
+    "reflectance": listed(SPECTRUM, 0 * SPECTRUM, no=[1.1 * SPECTRUM, -SPECTRUM, SPECTRUM[1:]]),
+    "curves": listed(np.stack([SPECTRUM] * 3, axis=1)),
+    "glass": listed(Glass(), Glass(10.0, 1.0), Glass(1.1, INF)),
+    "singlet": listed(Singlet(1 / 40, -1 / 40, 10.0, 1.5), Singlet(0.02, 0.01, 3.0, 1.8)),
     "distortion": sampled(
         lambda rng: Distortion(
             **{k: rng.uniform(-0.3, 0.3) * rng.integers(0, 2) for k in COEFFICIENTS}
@@ -251,22 +253,24 @@ KINDS: dict[str, Kind] = {
     ),
     "fisheye": sampled(lambda rng: Fisheye(*rng.uniform(-0.1, 0.1, 4))),
     "profile": sampled(lambda rng: RadialProfile((rng.uniform(-0.3, 0.3), 0.1), (0.05,))),
-    "coefficients": some((0.1, -0.2), (1e9, -1e9), no=NO_COEFFICIENT),
-    "solid": some(Sphere((0.0, 0.0, 3.0), 1.0), Box((0, 0, 2), (1, 1, 1), 0.7)),
-    "place": some(
+    "coefficients": listed((0.1, -0.2), (1e9, -1e9), no=NO_COEFFICIENT),
+    "solid": listed(Sphere((0.0, 0.0, 3.0), 1.0), Box((0, 0, 2), (1, 1, 1), 0.7)),
+    "place": listed(
         (0.5, 1.0, -2.0),
         (1e100, -1e100, 0.0),
         no=[(2e100, 0.0, 0.0), (0.0, INF, 0.0), (0.0, 0.0, NAN), (0.0, 1.0)],
     ),
-    "size": some((1, 2, 3), (1e100, 1e-9, 1.0), no=[(0.0, 1, 1), (1, -1, 1), (1, 1, INF), (1, 1)]),
-    "colour": some(
+    "size": listed(
+        (1, 2, 3), (1e100, 1e-9, 1.0), no=[(0.0, 1, 1), (1, -1, 1), (1, 1, INF), (1, 1)]
+    ),
+    "colour": listed(
         (1.0, 0.5, 0.0),
         (1e30, 1.0, 1.0),
         no=[(1.0, NAN, 1.0), (INF, 1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0)],
     ),
-    "lights": some([DirectionalLight(UP), PointLight((1.0, 2.0, 3.0))]),
-    "material": some(Material(0.5, 0.3, 0.4), Material(1.0, 1.0, 0.01), Material(0.0, 0.0, 1.0)),
-    "sensor": some(
+    "lights": listed([DirectionalLight(UP), PointLight((1.0, 2.0, 3.0))]),
+    "material": listed(Material(0.5, 0.3, 0.4), Material(1.0, 1.0, 0.01), Material(0.0, 0.0, 1.0)),
+    "sensor": listed(
         Sensor(),
         Sensor(
             full_well_e=INF,
@@ -278,21 +282,21 @@ KINDS: dict[str, Kind] = {
             quantum_efficiency=1.0,
         ),
     ),
-    "well": some(1000.0, INF, 1e13, 0.5, no=[0.0, -1.0, NAN, 2e13]),
+    "well": listed(1000.0, INF, 1e13, 0.5, no=[0.0, -1.0, NAN, 2e13]),
     "planes": picture(4, 8, 8),
     "plane": picture(8, 8),
     "picture": picture(8, 8, 3),
-    "prefilter": some(*map(prefilters.prefilter, prefilters.KINDS)),
+    "prefilter": listed(*map(prefilters.prefilter, prefilters.KINDS)),
     "prefilter kind": one_of(*prefilters.KINDS),
-    "steady": some(lambda time: np.ones(np.shape(time))),
-    "flat lens": some(np.ones_like),
+    "steady": listed(lambda time: np.ones(np.shape(time))),
+    "flat lens": listed(np.ones_like),
     "turn": interval(True, -np.pi, np.pi, True),
     "opening": interval(True, 0.0, np.pi, False),
     "acute": interval(False, 0.0, np.pi / 2, False),
     "slant": interval(True, -np.pi / 4, np.pi / 4, True),
     "fisheye model": one_of(*fisheye.IDEAL_MODELS),
     "kernel": one_of(*resampling.KERNELS),
-    "plain kernel": some("bilinear", "nearest", "bicubic", "lanczos3", no=["spline", "magic"]),
+    "plain kernel": listed("bilinear", "nearest", "bicubic", "lanczos3", no=["spline", "magic"]),
     "pattern": one_of(*PATTERNS),
     "demosaicing": one_of(*demosaicing.METHODS),
     "brdf": one_of(*brdf.MODELS),
@@ -300,30 +304,30 @@ KINDS: dict[str, Kind] = {
     "filling": one_of(*chroma_upsampling.METHODS),
     "shot model": one_of(*SHOT_MODELS),
     "responses": one_of(*RESPONSES),
-    "chromaticity white": some((0.31, 0.33), (0.45, 0.41), no=[(0.3, 0.0), (NAN, 0.3), (0.3,)]),
-    "primaries": some(
+    "chromaticity white": listed((0.31, 0.33), (0.45, 0.41), no=[(0.3, 0.0), (NAN, 0.3), (0.3,)]),
+    "primaries": listed(
         cie.SRGB_PRIMARIES_XY,
         no=[
             *(((0.2, 0.2), (0.3, 0.3), (0.4, 0.4)), ((0.6, 0.3), (0.3, 0.6), (0.1, 0.0))),
             *(((0.6, 0.3), (0.3, 0.6), (NAN, 0.1)), ((0.2, 0.2), (0.3, 0.3))),
         ],
     ),
-    "lab white": some((0.31, 0.33), no=[(0.3, 0.0), (0.0, 0.3), (-0.3, 0.3), (0.7, 0.4)]),
-    "reflectance shape": some(SPECTRUM, no=[SPECTRUM[1:]]),
-    "knots": some(np.array([0.1, 0.5, 0.2, 0.9]), np.ones(3), no=[np.ones(2)]),
-    "colours": some(np.ones((2, 3)), no=[np.ones((4,)), np.ones(()), np.ones((0, 3))]),
-    "table": some(blocks.LUMINANCE_TABLE),
-    "codes": some(np.arange(64).reshape(1, 1, 8, 8)),
-    "whole codes": some(np.arange(64).reshape(1, 1, 8, 8), no=[np.zeros((1, 1, 8, 8))]),
-    "coded planes": some(
+    "lab white": listed((0.31, 0.33), no=[(0.3, 0.0), (0.0, 0.3), (-0.3, 0.3), (0.7, 0.4)]),
+    "reflectance shape": listed(SPECTRUM, no=[SPECTRUM[1:]]),
+    "knots": listed(np.array([0.1, 0.5, 0.2, 0.9]), np.ones(3), no=[np.ones(2)]),
+    "colours": listed(np.ones((2, 3)), no=[np.ones((4,)), np.ones(()), np.ones((0, 3))]),
+    "table": listed(blocks.LUMINANCE_TABLE),
+    "codes": listed(np.arange(64).reshape(1, 1, 8, 8)),
+    "whole codes": listed(np.arange(64).reshape(1, 1, 8, 8), no=[np.zeros((1, 1, 8, 8))]),
+    "coded planes": listed(
         [CODES],
         [CODES + 32767],
         [CODES - 32767],
         no=[[CODES + 32768], [CODES - 32768], [CODES.astype(float)]],
     ),
-    "cells": some((2, 2), (1, 2), no=[(0, 2), (2, 0), (-1, 1), (1.5, 2), (2, NAN)]),
-    "halves": some((2, 2), no=[(3, 2), (1.5, 2)]),
-    "curve": some(
+    "cells": listed((2, 2), (1, 2), no=[(0, 2), (2, 0), (-1, 1), (1.5, 2), (2, NAN)]),
+    "halves": listed((2, 2), no=[(3, 2), (1.5, 2)]),
+    "curve": listed(
         np.array([[0.0, 0.0], [1.0, 0.1], [2.0, 0.0]]),
         [[0, 0], [1e150, 1]],
         no=[
@@ -331,7 +335,7 @@ KINDS: dict[str, Kind] = {
             *([[0, 0], [1.001e150, 1]], [[0, 0], [1, -1.001e150]]),
         ],
     ),
-    "decomposable": some(
+    "decomposable": listed(
         I3,
         KEYSTONE,
         np.diag([1e75, 1e75, 1.0]),
@@ -340,143 +344,147 @@ KINDS: dict[str, Kind] = {
             *(np.diag([1e-76, 1e-76, 1]), np.diag([1e76, 1e76, 1])),
         ],
     ),
-    "parts": some(homography_algebra.decompose(KEYSTONE)),
-    "homography": some(KEYSTONE, 1e-300 * KEYSTONE, no=[0 * I3, *changed_somewhere(I3, NAN, INF)]),
-    "mild homography": some(I3, KEYSTONE, no=[np.diag([0.0, 1.0, 1.0])]),
-    "segments": some(SEGMENTS, no=[SEGMENTS[:1], [np.zeros((2, 2)), *SEGMENTS]]),
+    "parts": listed(homography_algebra.decompose(KEYSTONE)),
+    "homography": listed(
+        KEYSTONE, 1e-300 * KEYSTONE, no=[0 * I3, *changed_somewhere(I3, NAN, INF)]
+    ),
+    "mild homography": listed(I3, KEYSTONE, no=[np.diag([0.0, 1.0, 1.0])]),
+    "segments": listed(SEGMENTS, no=[SEGMENTS[:1], [np.zeros((2, 2)), *SEGMENTS]]),
     "unit quaternion": sampled(lambda rng: quaternions.normalise(rng.normal(size=4))),
-    "rotation shape": some(I3, TURN, no=[np.eye(2)]),
-    "seen": some((0.5, 0.25), no=[(NAN, 0.0)]),
-    "layer": some(
+    "rotation shape": listed(I3, TURN, no=[np.eye(2)]),
+    "seen": listed((0.5, 0.25), no=[(NAN, 0.0)]),
+    "layer": listed(
         Layer(PLANES, 0, 0, 1.5),
         Layer(PLANES, -1, 2, 0.0),
         no=[Layer(PLANES, 0, 0, radius) for radius in (-0.1, 1025.0, INF, NAN)],
     ),
-    "radii": some(
+    "radii": listed(
         np.ones((8, 8)),
         np.zeros((8, 8)),
         no=changed_somewhere(np.ones((8, 8)), -0.1, 1025.0, INF, NAN),
     ),
-    "converging": some(Singlet(1 / 40, -1 / 40, 10.0, 1.5), no=[Singlet(-0.02, 0.02, 6.0, 1.5)]),
-    "stop": some(-10.0, 10.0, 5.0, no=[0.0, 4.9, NAN]),
-    "corners": some(np.arange(12.0).reshape(3, 4), no=[*ones((1, 4), (4, 1, 3), (5,))]),
-    "normal corners": some(np.broadcast_to(UP, (3, 4, 3))),
-    "grid size": some(4, 2, no=[1, 0]),
+    "converging": listed(Singlet(1 / 40, -1 / 40, 10.0, 1.5), no=[Singlet(-0.02, 0.02, 6.0, 1.5)]),
+    "stop": listed(-10.0, 10.0, 5.0, no=[0.0, 4.9, NAN]),
+    "corners": listed(np.arange(12.0).reshape(3, 4), no=[*arrays_of_ones((1, 4), (4, 1, 3), (5,))]),
+    "normal corners": listed(np.broadcast_to(UP, (3, 4, 3))),
+    "grid size": listed(4, 2, no=[1, 0]),
     "plane normals": sampled(lambda rng: turned(rng.uniform(0, 7, 2))),
-    "directions": some(np.array([UP, (0.6, 0.0, 0.8)]), no=[np.ones((4, 2))]),
-    "margin": some(
+    "directions": listed(np.array([UP, (0.6, 0.0, 0.8)]), no=[np.ones((4, 2))]),
+    "margin": listed(
         np.linspace(-2.0, 2.0, 12).reshape(3, 4),
         np.full((2, 2), 1e300),
-        no=[*ones((1, 5), (5, 1), (5,), (2, 2, 2))],
+        no=[*arrays_of_ones((1, 5), (5, 1), (5,), (2, 2, 2))],
     ),
-    "unit direction": some(UP),
-    "position": some((1.0, 2.0, 3.0)),
-    "high light": some(UP, (0.6, 0, 0.8), no=[*NO_UNIT[:3], (1.0, 0, 0), (0.6, 0, -0.8)]),
-    "occluder": some((0.5, 1.0, 2.0), (9e99, 0.0, 0.0)),
-    "reference": some(
+    "unit direction": listed(UP),
+    "position": listed((1.0, 2.0, 3.0)),
+    "high light": listed(UP, (0.6, 0, 0.8), no=[*NO_UNIT[:3], (1.0, 0, 0), (0.6, 0, -0.8)]),
+    "occluder": listed((0.5, 1.0, 2.0), (9e99, 0.0, 0.0)),
+    "reference": listed(
         (0.5, 1.0, 5.0), no=[(1.0, 0.0, z) for z in (0.0, -1.0, INF, NAN)] + [(0.0, 1.0)]
     ),
-    "affine camera": some(
+    "affine camera": listed(
         np.eye(4)[[0, 1, 3]], no=[np.eye(3, 4), np.eye(4), np.diag([1, 1, 1, 2])[:3]]
     ),
-    "focal lengths": some(
+    "focal lengths": listed(
         (800.0, 790.0),
         500.0,
         no=[0.0, (5.0, -1.0), NAN, INF, (0.0, 5.0), (5.0, 0.0), (INF, 5.0), (5.0, INF)],
     ),
-    "camera": some(pinhole.camera_matrix(K, POSE)),
-    "eye": some((0.5, 1.0, -2.0)),
-    "target": some(
+    "camera": listed(pinhole.camera_matrix(K, POSE)),
+    "eye": listed((0.5, 1.0, -2.0)),
+    "target": listed(
         (0.5, 1.0, 3.0), no=[(0.5, 1.0, -2.0), (INF, 0, 0), (NAN, 0, 0), (1.7e308, 1.7e308, 0)]
     ),
-    "up": some((0.0, 1.0, 0.0), no=[(0, INF, 0), (0, 1e-10, 1), (0, 0, -1), (0, 0, 0)]),
-    "turned": some(TURN, I3),
-    "pixels": some(5, 1),
-    "eight": some(8, 3),
-    "bits": some(12, 16, no=[0, 17, 2.5, NAN]),
-    "disc": some(1.5, 0.0, 0.3, 9.5, 70.0, no=[-0.1, 1025.0, INF, NAN]),
-    "gathered image": some(np.ones((4, 5)), np.ones((4, 5, 3), np.float32)),
-    "heights": some([1.0, -10.0, 10.0], no=[[1.0, 11.0]]),
+    "up": listed((0.0, 1.0, 0.0), no=[(0, INF, 0), (0, 1e-10, 1), (0, 0, -1), (0, 0, 0)]),
+    "turned": listed(TURN, I3),
+    "pixels": listed(5, 1),
+    "eight": listed(8, 3),
+    "bits": listed(12, 16, no=[0, 17, 2.5, NAN]),
+    "disc": listed(1.5, 0.0, 0.3, 9.5, 70.0, no=[-0.1, 1025.0, INF, NAN]),
+    "gathered image": listed(np.ones((4, 5)), np.ones((4, 5, 3), np.float32)),
+    "heights": listed([1.0, -10.0, 10.0], no=[[1.0, 11.0]]),
     "far": dataclasses.replace(interval(True, -9e99, 9e99, True), illegal=(NAN, INF, 1.1e100)),
-    "drawn lines": some(
+    "drawn lines": listed(
         LINES, no=[LINES[:1], [LINES[0]] * 6, changed_somewhere(LINES, NAN)[0], LINES * 0]
     ),
-    "drawn axes": some(AXES, no=[AXES + 1, AXES * 0]),
-    "picture size": some((640.0, 480.0)),
-    "view": some(VIEW),
-    "known": some(Stretch(LINES[0])),
-    "others": some((Stretch(LINES[1]),)),
-    "stretch": some(LINES[0]),
-    "axis number": some(2, 1, no=[3, -1]),
-    "baseline": some((1.0, 0.2, 0.1), (0.0, 0.0, 1e-9), no=NO_DIRECTION),
-    "K matrix": some(K, no=[np.eye(3, 4)]),
-    "seen plane": some(
+    "drawn axes": listed(AXES, no=[AXES + 1, AXES * 0]),
+    "picture size": listed((640.0, 480.0)),
+    "view": listed(VIEW),
+    "known": listed(Stretch(LINES[0])),
+    "others": listed((Stretch(LINES[1]),)),
+    "stretch": listed(LINES[0]),
+    "axis number": listed(2, 1, no=[3, -1]),
+    "baseline": listed((1.0, 0.2, 0.1), (0.0, 0.0, 1e-9), no=NO_DIRECTION),
+    "K matrix": listed(K, no=[np.eye(3, 4)]),
+    "seen plane": listed(
         (0.0, 0.6, 0.8, -1.0),
         (0.0, 0.6, 0.8, -1e-11),
         no=[[0, 0, 1, 0], [1, 1, 0, 1e-13], [0, 0, 0, 0], [NAN, 0, 1, 1], [0, 0, 1, INF]],
     ),
-    "kernel sigma": some(0.7, 0.0, 0.1, 1.0, 9.5, no=[-1e-9, 1.1e6, NAN, INF]),
-    "divisible": some(np.ones((8, 4)), no=[*ones((9, 8), (8,))]),
-    "factor": some(2, 1, 4, no=[0, 3]),
-    "taps": some(np.array([0.25, 0.5, 0.25]), no=[[0.5, 0.5], [[1.0]], []]),
-    "warped shape": some((6, 5), no=[(3, 5), (6, 3)]),
-    "warp": some(cubic_warp([[1.5]], [[2.5]], (8, 8))),
+    "kernel sigma": listed(0.7, 0.0, 0.1, 1.0, 9.5, no=[-1e-9, 1.1e6, NAN, INF]),
+    "divisible": listed(np.ones((8, 4)), no=[*arrays_of_ones((9, 8), (8,))]),
+    "factor": listed(2, 1, 4, no=[0, 3]),
+    "taps": listed(np.array([0.25, 0.5, 0.25]), no=[[0.5, 0.5], [[1.0]], []]),
+    "warped shape": listed((6, 5), no=[(3, 5), (6, 3)]),
+    "warp": listed(cubic_warp([[1.5]], [[2.5]], (8, 8))),
     "warped planes": picture(3, 8, 8),
-    "falling": some([0.0, 1.0, 2.0]),
-    "fallen": some([1.0, 0.6, 0.1], [1.0, 0.9, 0.85], no=[[0.4, 0.3, 0.1], [0.4, 0.9, 0.1]]),
-    "peaks": some((0.6, 0.5), (1e9, -1e9), no=[(0.6, NAN), (0.6, INF), (1.1e9, 0.6)]),
-    "source shape": some((4, 5), (1, 1), no=[(0, 5), (5, 0)]),
-    "image": some(np.ones((4, 5)), np.ones((4, 5, 3), np.float32), no=[*ones((2, 2, 3, 1), (4,))]),
-    "gather table": some(resampling.gather_table([0.3, 0.2], (4, 5))),
-    "gathered": some(
+    "falling": listed([0.0, 1.0, 2.0]),
+    "fallen": listed([1.0, 0.6, 0.1], [1.0, 0.9, 0.85], no=[[0.4, 0.3, 0.1], [0.4, 0.9, 0.1]]),
+    "peaks": listed((0.6, 0.5), (1e9, -1e9), no=[(0.6, NAN), (0.6, INF), (1.1e9, 0.6)]),
+    "source shape": listed((4, 5), (1, 1), no=[(0, 5), (5, 0)]),
+    "image": listed(
+        np.ones((4, 5)), np.ones((4, 5, 3), np.float32), no=[*arrays_of_ones((2, 2, 3, 1), (4,))]
+    ),
+    "gather table": listed(resampling.gather_table([0.3, 0.2], (4, 5))),
+    "gathered": listed(
         np.ones((4, 5)),
         np.ones((4, 5, 3)),
         no=[
-            *ones((4, 6), (5, 5), (4,), (4, 5, 3, 1)),
+            *arrays_of_ones((4, 6), (5, 5), (4,), (4, 5, 3, 1)),
             resampling.gather_source(np.ones((4, 5)), "bicubic"),
         ],
     ),
-    "side": some(3, 9, 1, no=[0, -1]),
-    "edge": some(EDGE, no=[*ones((8,), (20, 20, 3)), np.full((20, 20), NAN)]),
-    "edge codes": some(np.full((20, 20, 3), 99, np.uint8), no=[np.ones((20, 20, 3)), EDGE]),
-    "truth": some(True, False),
-    "colour picture": some(
+    "side": listed(3, 9, 1, no=[0, -1]),
+    "edge": listed(EDGE, no=[*arrays_of_ones((8,), (20, 20, 3)), np.full((20, 20), NAN)]),
+    "edge codes": listed(np.full((20, 20, 3), 99, np.uint8), no=[np.ones((20, 20, 3)), EDGE]),
+    "truth": listed(True, False),
+    "colour picture": listed(
         np.ones((4, 6, 3)),
         np.ones((1, 1, 3)),
-        no=[*ones((4, 4), (4, 4, 4), (0, 4, 3), (2, 2, 2, 3))],
+        no=[*arrays_of_ones((4, 4), (4, 4, 4), (0, 4, 3), (2, 2, 2, 3))],
     ),
-    "hues": some(
+    "hues": listed(
         np.eye(3),
         np.array([(1.0, 0.5, 0.2), (0.2, 0.9, 0.1), (0.3, 0.3, 0.8)]),
         no=[np.outer([0.2, 0.5, 0.9], np.ones(3))],
     ),
-    "patches": some(np.array([(0.4, 0.2, 0.0), (0.3, 0.7, 0.1), (0.2, 0.1, 0.9)])),
-    "white": some((0.95, 1.0, 1.09)),
+    "patches": listed(np.array([(0.4, 0.2, 0.0), (0.3, 0.7, 0.1), (0.2, 0.1, 0.9)])),
+    "white": listed((0.95, 1.0, 1.09)),
     "mosaic": sampled(
         lambda rng: rng.random((6, 6)),
         np.ones((1, 3)),
         np.ones((1, 1)),
-        no=[*ones((4,), (4, 4, 3), (4, 0), (0, 3))],
+        no=[*arrays_of_ones((4,), (4, 4, 3), (4, 0), (0, 3))],
     ),
-    "means": some(
+    "means": listed(
         LEVELS,
         no=[
             *(LEVELS[:2], changed_somewhere(LEVELS, NAN)[0], [[20.0, 40.0, 100.0]]),
             *([100.0, 100.1, 900.0], [5.0, 5.0, 5.0], LEVELS[::-1]),
         ],
     ),
-    "variances": some(
+    "variances": listed(
         LEVELS / 5,
         no=[LEVELS[:2], changed_somewhere(LEVELS, INF)[0], [3.0, 2.0, 3.5], [0.1, 0.2, 0.4]],
     ),
-    "enough samples": some(20_000, no=[1, 2, 2.5]),
-    "frames": some(
+    "enough samples": listed(20_000, no=[1, 2, 2.5]),
+    "frames": listed(
         np.arange(128, dtype=np.uint16).reshape(2, 8, 8),
         no=[np.zeros((2, 7, 9), np.uint8), np.zeros((3, 8, 8), np.uint8), np.zeros((2, 64), int)],
     ),
-    "highest": some(255, 4095),
-    "counts": some([3, 4, 9], [0], no=[[], [1.0, NAN]]),
-    "count": some(3, 1, no=[0, -2]),
+    "highest": listed(255, 4095),
+    "counts": listed([3, 4, 9], [0], no=[[], [1.0, NAN]]),
+    "count": listed(3, 1, no=[0, -2]),
     "detailed": sampled(
         lambda rng: rng.random((6, 7, 3)),
         np.ones((3, 3, 3)),
@@ -494,7 +502,7 @@ def kind_of(text: str) -> Kind:
     shape, mark, body, example = re.fullmatch(pattern, text).groups()  # type: ignore[union-attr]
     how, body = re.fullmatch(r"(whole |about )?(.+)", body).groups()  # type: ignore[union-attr]
     if limits := re.fullmatch(r"([\[(])(\S+), (\S+)([\])])", body):
-        make = whole if how == "whole " else interval
+        make = integers if how == "whole " else interval
         kind = make(limits[1] == "[", float(limits[2]), float(limits[3]), limits[4] == "]")
     else:
         kind = one_of(*body.split("|")) if "|" in body else KINDS[body]

@@ -118,7 +118,7 @@ def test_loupe_shows_the_chosen_part(split: float, column: int, row: int) -> Non
     np.testing.assert_array_equal(part, pixels_of(shown, 1), strict=True)
 
 
-def test_figure_and_ladder_agree() -> None:
+def test_readouts_of_each_method_equal_the_ladders_metrics() -> None:
     ladder = load_ladder(BAYER.accuracy.ladder)
     work = ladder.prepare()
     truth = ladder.reference(work)

@@ -65,7 +65,7 @@ def test_pixels_round_trip_through_their_ideal_directions() -> None:
     assert camera.pixels(np.c_[ideal, np.ones(500)])[valid] == pytest.approx(pixels[valid])
 
 
-def test_files_describe_the_fisheye() -> None:
+def test_exported_files_have_the_fisheyes_model_and_coefficients() -> None:
     truth = fisheye_sitting(600.0)
     report = Report(
         camera=truth.camera,
