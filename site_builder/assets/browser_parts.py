@@ -26,7 +26,7 @@ from site_builder.raw.decoder import RawDecoder, fetch_decoder
 from site_builder.runtime.downloads import PackageError, differing
 from site_builder.runtime.freeze import MissingModuleError
 from site_builder.runtime.pack import PACKAGE, RuntimeBundle, pack_runtime
-from site_builder.runtime.store import Versions, is_whole
+from site_builder.runtime.store import Versions, is_intact_file
 from site_builder.search.index import SearchLibrary, fetch_library
 from site_builder.settings.model import FILE_NAME, read_settings
 
@@ -56,7 +56,7 @@ def pack_for_browser(root: Path, book: Book, warn: Warn, *, compiled: bool) -> R
     sources = [folder_hash(RUNTIME), *(folder_hash(folder, "*.py") for folder in folders)]
     try:
         bundle = cached_result("runtime", (sources, scenes, ladders, compiled, packages), pack)
-        if bundle.snapshot_error or not all(map(is_whole, bundle.files.values())):
+        if bundle.snapshot_error or not all(map(is_intact_file, bundle.files.values())):
             bundle = pack()
     except PackageError as error:
         raise BuildError([_about_packages(root, str(error))]) from error

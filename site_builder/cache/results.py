@@ -127,19 +127,19 @@ def cached[**P, T](function: Callable[P, T]) -> Callable[P, T]:
 
 def cached_result[T](
     name: str,
-    given: object,
+    arguments: object,
     make: Callable[[], T],
     *,
     module: str = "",
     is_final: Callable[[T], bool] = lambda _result: True,
 ) -> T:
-    """Result of ``make``, stored where it ``is_final``. It may depend on ``given`` and on the
+    """Result of ``make``, stored where it ``is_final``. It may depend on ``arguments`` and on the
     sources that ``module`` imports (default: the module of ``make``)."""
     if _active is None:
         return make()
     module = module or make.__module__
     try:
-        key = hash_of(module, name, source_hash(module), given)
+        key = hash_of(module, name, source_hash(module), arguments)
     except UnhashableError:
         return make()
     if (data := _active.get(key)) is not None:

@@ -16,7 +16,7 @@ from site_builder.document.blocks import walk
 from site_builder.document.book import Book
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.files.engine import own_or_engine, static_files
+from site_builder.files.engine import book_or_engine_file, static_files
 from site_builder.files.folders import data_of, folder_files
 from site_builder.files.text import CONTROL, Sources, Toml
 from site_builder.markdown.directives.pictures import DrawnIllustration
@@ -153,7 +153,7 @@ def check_colours(settings: Settings, sources: Sources, toml: Toml) -> None:
     if not settings.colours and not settings.theme.accent:
         return
     taken = known_classes(static_files(sources.root)) | {role.name for role in ROLES} | {"muted"}
-    tokens = own_or_engine(sources.root, "static/css/tokens.css").read_text(encoding="utf-8")
+    tokens = book_or_engine_file(sources.root, "static/css/tokens.css").read_text(encoding="utf-8")
     grounds = GROUND.findall(tokens)
     accent = {"accent": settings.theme.accent} if settings.theme.accent else {}
     for table, colours in (("colours", settings.colours), ("theme", accent)):

@@ -52,10 +52,10 @@ class Drawing:
     labels: tuple[Label, ...] = ()
 
 
-def read_svg(data: bytes, *, in_page: bool = False) -> Drawing:
-    """What a file holds. ``in_page``: it is a part of a page, where a ``<style>`` would hold for
+def read_svg(data: bytes, *, inline: bool = False) -> Drawing:
+    """What a file holds. ``inline``: it is a part of a page, where a ``<style>`` would hold for
     all of it, and by its policy for nothing."""
-    reader = _SvgReader(in_page=in_page)
+    reader = _SvgReader(inline=inline)
     parser = make_parser()
     parser.setFeature(feature_namespaces, True)
     parser.setContentHandler(reader)
@@ -73,12 +73,12 @@ def read_svg(data: bytes, *, in_page: bool = False) -> Drawing:
 @cached
 def read_overlay(markup: str) -> Drawing:
     """The same of the content of ``<svg>``, as scenes and illustrations draw it."""
-    return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode(), in_page=True)
+    return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode(), inline=True)
 
 
 @dataclass(slots=True, kw_only=True)
 class _SvgReader(ContentHandler):
-    in_page: bool
+    inline: bool
     faults: list[Fault] = field(default_factory=list)
     classes: set[str] = field(default_factory=set)
     labels: list[Label] = field(default_factory=list)
@@ -99,7 +99,7 @@ class _SvgReader(ContentHandler):
         space, local = name
         if not self.moved and (space, local) != (SVG, "svg"):
             self.fault(f'<{local}> at the top; legal: <svg xmlns="{SVG}">')
-        elif self.in_page and local == "style":
+        elif self.inline and local == "style":
             self.fault("<style> in a drawing; legal: classes of the style sheets, and attributes")
         given = {attribute: str(value) for (_, attribute), value in attrs.items()}
         self.classes.update(given.get("class", "").split())
@@ -135,14 +135,14 @@ def _check_picture(file: Path, path: str, problems: Diagnostics) -> None:
     if file.suffix.lower() == ".svg":
         for fault in read_svg(file.read_bytes()).faults:
             problems.add(path, fault.line, fault.message)
-    elif message := _fault_of_raster(file):
+    elif message := _raster_error(file):
         problems.add(path, 1, message)
     elif _has_place(file):
         better = "better: without, as by `exiftool -gps:all= FILE`"
         problems.warn(path, 1, f"says where it was taken (GPS), to every reader; {better}")
 
 
-def _fault_of_raster(file: Path) -> str:
+def _raster_error(file: Path) -> str:
     """What is wrong with a picture of pixels; nothing where nothing is."""
     from PIL import Image, UnidentifiedImageError  # not every book has such pictures
 

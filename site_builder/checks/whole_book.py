@@ -28,10 +28,48 @@ STANDS_OUT = 1.4
 the key: lines of one paragraph differ as much, so up to there it is not seen at a glance."""
 FEW_LETTERS = 12
 """Two words: among short answers a smaller difference has no meaning, whatever its ratio."""
+UNDECLARED = ("\\pi", "e")
+"""Symbols that need no declaration."""
+PLACEHOLDERS = (
+    "What this book is about, in a sentence.",
+    "What its reader should know.",
+    "Choose under which terms others may use it",
+    "In one sentence, what this chapter tells.",
+    "say one thing that one could not say before",
+    "Begin with something that one can see or hear.",
+    "Say what happens, then why.",
+    "What comes out, if 21 is doubled?",
+    ": which law this is, in a sentence.",
+    ": what is computed here in several ways.",
+)
+"""Sentences of the templates in ``scaffold/``."""
+SKELETON_FOLDERS = ("scenes", "ladders", "models")
+"""Folders of ``simulations`` in which ``new`` writes."""
+
+
+def check_book(book: Book, problems: Diagnostics) -> None:
+    """Report links that lead nowhere, questions that share an id, answers to no prediction and
+    figures that cannot be set as a question wants; warn of keys that give themselves away."""
+    _check_ids("quiz", [item for chapter in book.chapters for item in chapter.quizzes], problems)
+    guesses = [item for chapter in book.chapters for item in chapter.predictions]
+    _check_ids("predict", guesses, problems)
+    for chapter in book.chapters:
+        if not chapter.body and not any(found.path == chapter.path for found in problems.found):
+            problems.add(chapter.path, 1, "no text; legal: some below the front matter")
+        _check_reveals(chapter, problems)
+        _check_figure_questions(chapter, problems)
+        check_exercises(chapter, problems)
+    _check_needs(book, problems)
+    _check_key_lengths(book, problems)
+    _check_cited(book, problems)
+    _check_glossary(book, problems)
+    _check_term_order(book, problems)
+    _check_symbols(book, problems)
+    _check_links(book, problems)
 
 
 def check_first_passes(book: Book, describe: Describe, problems: Diagnostics) -> None:
-    """None takes longer than the book allows."""
+    """Report first passes that take longer than the book allows."""
     most = book.settings.first_pass
     for chapter in book.chapters:
         minutes = reading_minutes(chapter.first_pass, describe)
@@ -40,15 +78,25 @@ def check_first_passes(book: Book, describe: Describe, problems: Diagnostics) ->
             problems.add(chapter.path, 1, f"a first pass of {minutes} minutes; legal: {expected}")
 
 
-def check_questions(book: Book, problems: Diagnostics) -> None:
-    """Warn of each key that stands out."""
+def check_skeletons(sources: Sources, book: Book) -> None:
+    """Warn of each sentence of `PLACEHOLDERS` that is still in a file."""
+    for path in _skeleton_paths(sources.root, book):
+        data = (sources.root / path).read_bytes()
+        for sentence in PLACEHOLDERS:
+            if (place := data.find(sentence.encode())) >= 0:
+                message = f"{sentence.lstrip(': ')!r} is still as `new` wrote it; better: your own"
+                sources.problems.warn(path, data.count(b"\n", 0, place) + 1, message)
+
+
+def _check_key_lengths(book: Book, problems: Diagnostics) -> None:
+    """Warn of keys that are much longer or shorter than the wrong answers."""
     for chapter in book.chapters:
-        for quiz in single_choice(chapter):
-            if message := fault_of_length(quiz):
+        for quiz in _single_choice(chapter):
+            if message := _length_warning(quiz):
                 problems.warn(quiz.path, quiz.line, message)
 
 
-def single_choice(chapter: Chapter) -> list[Quiz]:
+def _single_choice(chapter: Chapter) -> list[Quiz]:
     """The questions with exactly one key, and something else to choose."""
     return [
         quiz
@@ -58,14 +106,16 @@ def single_choice(chapter: Chapter) -> list[Quiz]:
     ]
 
 
-def letters(option: Option) -> int:
-    """Length of an answer as it is read: a formula counts what it shows, not its source."""
+def _answer_length(option: Option) -> int:
+    """Letters of an answer as it is read: a formula counts what it shows, not its source."""
     return len(plain_words(option.words).strip())
 
 
-def fault_of_length(quiz: Quiz) -> str:
-    """What the key's length gives away, or nothing."""
-    key, *wrong = [letters(option) for option in sorted(quiz.options, key=lambda o: not o.correct)]
+def _length_warning(quiz: Quiz) -> str:
+    """A warning where the length of the key gives it away, or nothing."""
+    key, *wrong = [
+        _answer_length(option) for option in sorted(quiz.options, key=lambda o: not o.correct)
+    ]
     for what, other, short, long in (
         ("longest", max(wrong), max(wrong), key),
         ("shortest", min(wrong), key, min(wrong)),
@@ -78,7 +128,7 @@ def fault_of_length(quiz: Quiz) -> str:
     return ""
 
 
-def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
+def _check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
     """The solution that the author states is right by the conditions, and the start is not."""
     figures = {figure.id: figure for figure in chapter.simulations}
     for quiz in chapter.quizzes:
@@ -89,7 +139,7 @@ def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
         error = None
         if figure:
             try:
-                message = fault_of_question(quiz, task.solution, figure)
+                message = _figure_question_error(quiz, task.solution, figure)
             except Exception as raised:  # whatever a scene's own code may raise
                 error = raised
                 message = f"quiz {quiz.id!r}: {figure.scene.id!r} cannot be drawn: {cause(raised)}"
@@ -101,23 +151,23 @@ def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
             problems.add(quiz.path, quiz.line, message, error)
 
 
-def fault_of_question(quiz: Quiz, solution: Mapping[str, str], figure: Simulation) -> str:
+def _figure_question_error(quiz: Quiz, solution: Mapping[str, str], figure: Simulation) -> str:
     """What is wrong with the question, or nothing. Raises whatever the scene does."""
     what = f"quiz {quiz.id!r}"
     stated = " ".join(f"{name}={value}" for name, value in solution.items())
     try:
-        if message := _unreachable(solution, figure):
+        if message := _unreachable_value(solution, figure):
             return f"{what}: {message}"
-        if not reply_at(quiz, figure, {**figure.values, **solution}).correct:
+        if not _reply_at(quiz, figure, {**figure.values, **solution}).correct:
             return f"{what} is not solved by {stated!r}; legal: settings that its [x] is true of"
-        if reply_at(quiz, figure, figure.values).correct:
+        if _reply_at(quiz, figure, figure.values).correct:
             return f"{what} is solved before it is asked; legal: a start that its [x] is false of"
     except (ControlError, ExpressionError) as error:
         return f"{what}: {error}"
     return ""
 
 
-def _unreachable(solution: Mapping[str, str], figure: Simulation) -> str:
+def _unreachable_value(solution: Mapping[str, str], figure: Simulation) -> str:
     """The stated setting that no slider can show, if there is one."""
     for control in figure.scene.controls:
         value = solution.get(control.name)
@@ -127,16 +177,16 @@ def _unreachable(solution: Mapping[str, str], figure: Simulation) -> str:
     return ""
 
 
-def reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Option:
+def _reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Option:
     """The answer that holds at these settings. Raises `ControlError`, `ExpressionError`."""
     settings = figure.scene.check(values)
     frame = frame_at(figure.scene, settings, figure.tier)
-    asked = conditions(quiz)
-    met = first_true(asked, settings, frame)
-    return quiz.options[len(asked) if met is None else met]
+    answers = conditions(quiz)
+    first = first_true(answers, settings, frame)
+    return quiz.options[len(answers) if first is None else first]
 
 
-def check_glossary(book: Book, problems: Diagnostics) -> None:
+def _check_glossary(book: Book, problems: Diagnostics) -> None:
     """Report terms whose explaining section never uses them."""
     used = {(use.term, ch.id, use.section) for ch in book.chapters for use in ch.term_uses}
     for definition in book.glossary:
@@ -152,7 +202,7 @@ def check_glossary(book: Book, problems: Diagnostics) -> None:
             problems.add(GLOSSARY, term.line, message)
 
 
-def check_order(book: Book, problems: Diagnostics) -> None:
+def _check_term_order(book: Book, problems: Diagnostics) -> None:
     """Warn of terms used before the section that explains them, unless the author marked the use:
     a mark shows the definition."""
     unexplained = {item.term.name: item.explained for item in book.glossary if item.explained}
@@ -169,7 +219,7 @@ def _is_in(use: TermUse, chapter: str, place: Target) -> bool:
     return chapter == place.chapter and place.id in ("", use.section)
 
 
-def check_symbols(book: Book, problems: Diagnostics) -> None:
+def _check_symbols(book: Book, problems: Diagnostics) -> None:
     """Report symbols without a meaning and meanings of no symbol; warn of those in no formula."""
     if not book.symbols:
         return
@@ -198,10 +248,6 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
                 problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
 
 
-UNDECLARED = ("\\pi", "e")
-"""What every reader knows."""
-
-
 def _first_uses(chapter: Chapter) -> Iterator[tuple[str, Formula]]:
     seen: set[str] = set()
     for formula in chapter.formulae:
@@ -211,69 +257,21 @@ def _first_uses(chapter: Chapter) -> Iterator[tuple[str, Formula]]:
                 yield symbol, formula
 
 
-PLACEHOLDERS = (
-    "What this book is about, in a sentence.",
-    "What its reader should know.",
-    "Choose under which terms others may use it",
-    "In one sentence, what this chapter tells.",
-    "say one thing that one could not say before",
-    "Begin with something that one can see or hear.",
-    "Say what happens, then why.",
-    "What comes out, if 21 is doubled?",
-    ": which law this is, in a sentence.",
-    ": what is computed here in several ways.",
-)
-"""Sentences of the templates in ``scaffold/``."""
-ROOMS = ("scenes", "ladders", "models")
-"""Folders of ``simulations`` in which ``new`` writes."""
-
-
-def check_skeletons(sources: Sources, book: Book) -> None:
-    """Warn of each such sentence."""
-    for path in _skeleton_paths(sources.root, book):
-        data = (sources.root / path).read_bytes()
-        for sentence in PLACEHOLDERS:
-            if (place := data.find(sentence.encode())) >= 0:
-                said = f"{sentence.lstrip(': ')!r} is still as `new` wrote it; better: your own"
-                sources.problems.warn(path, data.count(b"\n", 0, place) + 1, said)
-
-
 def _skeleton_paths(root: Path, book: Book) -> Iterator[str]:
     """Paths of files that ``new`` may have written."""
     paths = (OUTLINE, *(chapter.path for chapter in book.chapters))
     yield from (path for path in paths if (root / path).is_file())
-    for room in ROOMS:
-        for name in folder_files(root / "simulations" / room):
+    for folder in SKELETON_FOLDERS:
+        for name in folder_files(root / "simulations" / folder):
             if name.endswith(".py"):
-                yield f"simulations/{room}/{name}"
-
-
-def check_book(book: Book, problems: Diagnostics) -> None:
-    """Report links that lead nowhere, questions that share an id, answers to no prediction and
-    figures that cannot be set as a question wants; warn of keys that give themselves away."""
-    _check_ids("quiz", [item for chapter in book.chapters for item in chapter.quizzes], problems)
-    guesses = [item for chapter in book.chapters for item in chapter.predictions]
-    _check_ids("predict", guesses, problems)
-    for chapter in book.chapters:
-        if not chapter.body and not any(found.path == chapter.path for found in problems.found):
-            problems.add(chapter.path, 1, "no text; legal: some below the front matter")
-        _check_reveals(chapter, problems)
-        check_figure_questions(chapter, problems)
-        check_exercises(chapter, problems)
-    _check_needs(book, problems)
-    check_questions(book, problems)
-    _check_cited(book, problems)
-    check_glossary(book, problems)
-    check_order(book, problems)
-    check_symbols(book, problems)
-    _check_links(book, problems)
+                yield f"simulations/{folder}/{name}"
 
 
 def _check_links(book: Book, problems: Diagnostics) -> None:
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:
         for link in chapter.links:
-            if message := _fault_of_link(link, chapter, by_file):
+            if message := _link_error(link, chapter, by_file):
                 problems.add(chapter.path, link.line, message)
 
 
@@ -319,7 +317,7 @@ def _check_needs(book: Book, problems: Diagnostics) -> None:
                 problems.warn(chapter.path, need.line, message)
 
 
-def _fault_of_link(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:
+def _link_error(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:
     """What is wrong with ``link``; nothing where it leads somewhere."""
     file, _, anchor = link.target.partition("#")
     if not link.target or ":" in file or file.startswith("/"):

@@ -33,7 +33,7 @@ class Diagnostic:
     """What was found; what is legal, or what would be better."""
     fails: bool = True
     """Whether the book cannot be built with it; else it is a warning."""
-    met: str = field(default="", compare=False)
+    raised_at: str = field(default="", compare=False)
     """Where an exception of an author's code was met first; it is reported once."""
     spoils: tuple[str, ...] = field(default=(), compare=False)
     """What follows from it: other mistakes with one of these in their path or message; with `BELOW`
@@ -44,8 +44,8 @@ class Diagnostic:
 
     def __str__(self) -> str:
         word = "" if self.fails else "warning: "
-        met = f" (met at {self.met})" if self.met else ""
-        return f"{legible(one_line(self.path))}:{self.line}: {word}{self.message}{met}"
+        raised_at = f" (met at {self.raised_at})" if self.raised_at else ""
+        return f"{legible(one_line(self.path))}:{self.line}: {word}{self.message}{raised_at}"
 
 
 @dataclass(slots=True)
@@ -74,9 +74,11 @@ class Diagnostics:
         """A mistake of an author's module, at the line that has what the message quotes, once."""
         place, _, own = place_in(module, message).rpartition(":")
         found = Diagnostic(path=path, line=line, message=message)
-        met = f"{path}:{line}"
+        raised_at = f"{path}:{line}"
         self.found.append(
-            Diagnostic(path=place, line=int(own), message=message, met=met) if place else found
+            Diagnostic(path=place, line=int(own), message=message, raised_at=raised_at)
+            if place
+            else found
         )
 
     def warn(self, path: str, line: int, message: str) -> None:
@@ -123,7 +125,10 @@ def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic
     path, _, line = place_of(error).rpartition(":")
     at = f", {settings}" if (settings := settings_of(error)) else ""
     return Diagnostic(
-        path=path, line=int(line), message=_message(error), met=f"{found.path}:{found.line}{at}"
+        path=path,
+        line=int(line),
+        message=_message(error),
+        raised_at=f"{found.path}:{found.line}{at}",
     )
 
 
@@ -193,7 +198,7 @@ def as_json(found: Sequence[Diagnostic], root: Path) -> str:
                 "line": one.line,
                 "column": column_of(one, root),
                 "severity": "error" if one.fails else "warning",
-                "message": one.message + (f" (met at {one.met})" if one.met else ""),
+                "message": one.message + (f" (met at {one.raised_at})" if one.raised_at else ""),
                 "suggestion": suggestion_of(one.message),
             }
             for one in found

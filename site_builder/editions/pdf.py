@@ -141,12 +141,14 @@ def make_pdf(composed: Composed, chromium: Path) -> bytes:
 
         page.route("**/*", answer)
         try:
-            return settle(volume(composed), printed, anchor_pages)
+            return print_until_stable(volume(composed), printed, anchor_pages)
         finally:
             browser.close()
 
 
-def settle(document: Element, printed: Print, pages_of: Callable[[bytes], Pages]) -> bytes:
+def print_until_stable(
+    document: Element, printed: Print, pages_of: Callable[[bytes], Pages]
+) -> bytes:
     """Set the document until the page numbers in it are those of its own pages."""
     known: Pages | None = None
     for _ in range(TURNS):

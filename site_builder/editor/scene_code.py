@@ -66,10 +66,10 @@ def formula_fault(scene: Scene[Any]) -> str:
 
 @cached
 def _formula_fault(scene: Scene[Any]) -> str:
-    return run_in_pool(partial(_fault_of_formula, scene))
+    return run_in_pool(partial(_formula_error, scene))
 
 
-def _fault_of_formula(scene: Scene[Any]) -> str:
+def _formula_error(scene: Scene[Any]) -> str:
     sources = json.loads(_scene_sources(scene))
     if sources["formula"] in sources["definitions"]:
         return ""

@@ -32,7 +32,7 @@ def is_engine(module: str) -> bool:
     return part.partition(".")[0] in ENGINE_PARTS
 
 
-def own_or_engine(root: Path, path: str) -> Path:
+def book_or_engine_file(root: Path, path: str) -> Path:
     """The file ``path`` of the book at ``root`` or, where it has none, the engine's."""
     places = (root / path, PACKED / path)
     return next((place for place in places if place.is_file()), ENGINE / path)

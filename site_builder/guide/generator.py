@@ -17,7 +17,7 @@ from types import FunctionType
 from typing import Any, cast
 
 from simulations.engine.frame import ROLES as COLOUR_ROLES
-from site_builder.files.engine import ENGINE, STATIC, own_or_engine
+from site_builder.files.engine import ENGINE, STATIC, book_or_engine_file
 from site_builder.markdown.directive import Directive, OptionLine
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.questions.kinds import KINDS
@@ -335,7 +335,7 @@ def guide_files() -> dict[str, bytes]:
         "content/05-drawings.md": drawing_page(roles, manners, texts),
         **{f"simulations/scenes/{Name(name).module}.py": from_gallery(name) for name in GALLERY},
         "content/08-settings.md": settings_page(),
-        "content/11-changes.md": changes_page(own_or_engine(ENGINE, "CHANGELOG.md")),
+        "content/11-changes.md": changes_page(book_or_engine_file(ENGINE, "CHANGELOG.md")),
         "simulations/models/classes.py": (
             f'"""Made by the guide."""\n\nROLES = {roles!r}\n'
             f"MANNERS = {tuple(manners)!r}\nTEXTS = {texts!r}\n"

@@ -12,7 +12,7 @@ from site_builder.diagnostics.blame import CodeError, raised_by_code
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.blocks import Block, Deeper, Prose
 from site_builder.document.places import Passage, passage
-from site_builder.markdown.content_files import fault_of_file
+from site_builder.markdown.content_files import file_error
 from site_builder.markdown.directive import Body, Directive, DirectiveCall, OptionLine, OptionValue
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import end_of_element
@@ -24,15 +24,13 @@ def checked(
     """The call with legal options only and with their defaults; None where its argument is missing
     or illegal. Everything illegal is reported."""
     options = _checked_options(directive, call, context)
-    if fault := _fault_of_argument(directive, call, context):
+    if fault := _argument_error(directive, call, context):
         context.problem(call.line, fault)
         return None
     return replace(call, options=options)
 
 
-def _fault_of_argument(
-    directive: Directive[Any], call: DirectiveCall, context: ParseContext
-) -> str:
+def _argument_error(directive: Directive[Any], call: DirectiveCall, context: ParseContext) -> str:
     """What is wrong with the argument; nothing where nothing is."""
     argument, given, fence = directive.argument, call.argument, f":::{{{call.name}}}"
     if argument is None:
@@ -42,7 +40,7 @@ def _fault_of_argument(
         return unknown(argument.kind, given, argument.expected)
     if argument.lacks and not given:
         return f"{{{call.name}}} {argument.lacks}; legal: '{fence} {argument.form}'"
-    return fault_of_file(given, context.content, argument.file) if argument.file else ""
+    return file_error(given, context.content, argument.file) if argument.file else ""
 
 
 def _checked_options(
@@ -53,7 +51,7 @@ def _checked_options(
     for name, given in call.options.items():
         fault = ""
         if name in declared:
-            fault = _fault_of_option(declared[name], given.text, call, context)
+            fault = _option_error(declared[name], given.text, call, context)
         elif not directive.more_options:
             fault = unknown(f"option of {{{call.name}}}", name, declared)
         if fault:
@@ -69,14 +67,14 @@ def _checked_options(
     return options
 
 
-def _fault_of_option(
+def _option_error(
     option: OptionLine, given: str, call: DirectiveCall, context: ParseContext
 ) -> str:
     if option.expected and given not in option.expected:
         return unknown(f"{option.name} of {call.name}", given, option.expected)
     if option.form and given and not re.fullmatch(option.form, given):
         return f"{option.name} {given!r}; legal: {option.doc}"
-    return fault_of_file(given, context.content, option.file) if option.file and given else ""
+    return file_error(given, context.content, option.file) if option.file and given else ""
 
 
 def read_page(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, ...]:

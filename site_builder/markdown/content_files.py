@@ -16,7 +16,7 @@ type Size = tuple[int, int]
 """Width and height in CSS pixels."""
 
 
-def fault_of_file(name: str, content: Path, kind: FileKind) -> str:
+def file_error(name: str, content: Path, kind: FileKind) -> str:
     """What is wrong with a path below ``content``; nothing where such a file is there."""
     path = PurePosixPath(name)
     inside = bool(name) and not path.is_absolute() and ".." not in path.parts

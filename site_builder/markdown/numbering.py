@@ -200,7 +200,7 @@ class _Numbering:
         found = ATTRIBUTES.fullmatch(given)
         if not found:
             self.context.problem(line, f"{{{given}}} after a heading; {LEGAL_ATTRIBUTES}")
-        elif found["deeper"] and (fault := self._fault_of_fold(opening, level)):
+        elif found["deeper"] and (fault := self._fold_error(opening, level)):
             expected = "'##' or '###' at the margin, in no other deeper section"
             self.context.problem(line, f"a deeper section {fault}; legal: {expected}")
         else:
@@ -208,7 +208,7 @@ class _Numbering:
             self.folded = level if found["deeper"] else self.folded
         opening.meta["folded"] = self.folded > 0
 
-    def _fault_of_fold(self, opening: Token, level: int) -> str:
+    def _fold_error(self, opening: Token, level: int) -> str:
         if opening.level:
             return "inside a directive, list or quotation"
         if self.folded:

@@ -7,7 +7,7 @@ from pathlib import Path, PurePosixPath
 from simulations.engine.frame import ROLES
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Colours
-from site_builder.files.engine import own_or_engine
+from site_builder.files.engine import book_or_engine_file
 from site_builder.output.writer import Content, content_bytes
 from site_builder.settings.model import Theme
 
@@ -73,7 +73,7 @@ def style_of_drawings(root: Path, more: str, families: Mapping[str, str], colour
     ``colours`` the book's. Raises `KeyError` for a variable that is no token.
     """
     tokens, overlay = (
-        own_or_engine(root, f"static/css/{name}.css").read_text(encoding="utf-8")
+        book_or_engine_file(root, f"static/css/{name}.css").read_text(encoding="utf-8")
         for name in ("tokens", "overlay")
     )
     inks = {name: f"var(--{name})" for name in ENGINE_ROLES}

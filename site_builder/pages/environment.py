@@ -69,7 +69,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
 
 
 def render_template(template: str, book: Book, **context: object) -> str:
-    """What needs nothing of the site."""
+    """A filled template that uses the book, and not the site."""
     return template_environment().get_template(template).render(book_context(book), **context)
 
 

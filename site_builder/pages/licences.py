@@ -45,15 +45,16 @@ def gather_licences(
     editor: Sequence[Package] = (),
     search: Sequence[Package] = (),
     decoder: Sequence[Package] = (),
-    asked_for: Sequence[Package] = (),
+    book_packages: Sequence[Package] = (),
     settings: Settings = UNSET,
     words: Words = ENGLISH,
 ) -> tuple[Licence, ...]:
     """Licences of the book and of what it ships.
 
     The versions are the browser runtime's; ``editor`` are the packages in the code editor,
-    ``search`` those that search the pages, ``decoder`` those that decode raw files, ``asked_for``
-    those that the book asks for; ``settings`` are the book's, ``words`` its language's.
+    ``search`` those that search the pages, ``decoder`` those that decode raw files,
+    ``book_packages`` those that the book lists; ``settings`` are the book's, ``words`` its
+    language's.
     """
     code = "https://github.com/"
     terms = words("licences.book", code=settings.licence.code, text=settings.licence.text)
@@ -77,7 +78,7 @@ def gather_licences(
         )
     if versions.pyodide:
         licences += _of_the_runtime(versions, words)
-    for each in asked_for:
+    for each in book_packages:
         licences.append(_licence_of(each, each.name, words("licences.package"), each.home))
     licences += _of_the_editor(editor, words)
     for each in search:

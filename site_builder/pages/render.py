@@ -12,7 +12,7 @@ from site_builder.cache.results import cached_result
 from site_builder.document.blocks import Block
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Heading
-from site_builder.files.engine import own_or_engine
+from site_builder.files.engine import book_or_engine_file
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.pages.back_matter import back_matter_pages, card, titled
@@ -46,7 +46,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         add("chapter", f"{chapter.url}index.html", **context)
     for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         folder, _, file = path.rpartition("/")
-        code = own_or_engine(site.root, path).read_text(encoding="utf-8-sig")
+        code = book_or_engine_file(site.root, path).read_text(encoding="utf-8-sig")
         address = f"source/{path.removesuffix('.py')}/index.html"
         add("source", address, folder=folder, file=file, code=code)
     for chapter in book.chapters:

@@ -16,7 +16,7 @@ from site_builder.document.blocks import Simulation, contents
 from site_builder.document.book import Book, Chapter
 from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
-from site_builder.files.engine import own_or_engine
+from site_builder.files.engine import book_or_engine_file
 from site_builder.markdown.directives.pictures import DrawnIllustration
 from site_builder.output.fonts import FACES, Face, source_file
 from site_builder.output.style_sheets import style_of_drawings
@@ -42,7 +42,7 @@ class Fonts:
         return self.files[0]
 
 
-def whole_fonts(faces: Sequence[Face] = FACES) -> Fonts:
+def uncut_fonts(faces: Sequence[Face] = FACES) -> Fonts:
     """The files that ``faces`` are cut from, and the names of their families."""
     paths = {face.file: source_file(face) for face in faces}
     serif, sans = (_family(paths[f"{role}-regular.woff2"]) for role in ("serif", "sans"))
@@ -76,7 +76,7 @@ ICONS = {"images/favicon.png": 32, "images/touch-icon.png": 180}
 
 def make_icons(root: Path) -> Mapping[str, bytes]:
     """From the book's icon, or the engine's. Raises `BuildError` where it is no drawing."""
-    file = own_or_engine(root, ICON)
+    file = book_or_engine_file(root, ICON)
     try:
         return _raster_icons(file.read_text(encoding="utf-8"))
     except ValueError as error:
@@ -87,7 +87,7 @@ def make_icons(root: Path) -> Mapping[str, bytes]:
 
 @cached
 def _raster_icons(svg: str) -> dict[str, bytes]:
-    fonts = whole_fonts()
+    fonts = uncut_fonts()
     return {name: png_of(svg, width, fonts) for name, width in ICONS.items()}
 
 
@@ -111,13 +111,13 @@ def make_cards(
 
     ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
-    fonts = whole_fonts()
+    fonts = uncut_fonts()
     families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
     style = style_of_drawings(root, OWN.read_text(encoding="utf-8"), families, book.colours)
     cover = _figure_panel(book.hero, initial_frames, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
-        size, lines = set_title(title, TITLE_WIDTH if figure else WIDTH - 180, fonts.title)
+        size, lines = fit_title(title, TITLE_WIDTH if figure else WIDTH - 180, fonts.title)
         svg = render_template(
             "publishing/card.svg", book, style=style, chapter=chapter, size=size, lines=lines,
             figure=figure,
@@ -169,7 +169,7 @@ SIZES = (68, 60, 52, 46, 40, 34)
 MOST_LINES = 4
 
 
-def set_title(title: str, width: float, font: Path) -> tuple[int, list[str]]:
+def fit_title(title: str, width: float, font: Path) -> tuple[int, list[str]]:
     """Size in pixels, and the lines, in the face of the file ``font``. A title that is too long at
     any size ends in ``…``."""
     for size in SIZES:

@@ -196,13 +196,13 @@ def paper_renderer() -> PassageRenderer:
             **RULES,
             "heading_close": lambda token: f"</{token.tag}></div>\n",
             "table_open": lambda _: '<div class="table-wrapper"><table>\n',
-            "link_open": plain_open,
-            "role_open": plain_open,
+            "link_open": opening_tag,
+            "role_open": opening_tag,
         }
     )
 
 
-def plain_open(token: Token) -> str:
+def opening_tag(token: Token) -> str:
     """Without the attributes that are for scripts."""
     attributes = (
         f' {name}="{escape(str(value))}"'

@@ -17,7 +17,7 @@ from site_builder.markdown.directives import DIRECTIVES
 
 LONGEST_FORMULA = 14
 """Characters of a formula that the search shows; a longer one becomes an ellipsis."""
-SILENT = ("fence", "code_block", "math_block", "math_block_label", "html_block", "html_inline")
+LEFT_OUT = ("fence", "code_block", "math_block", "math_block_label", "html_block", "html_inline")
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +44,7 @@ def pieces(passage: Passage, longest_formula: int = LONGEST_FORMULA) -> Iterator
             heading = None
         elif token.type == "inline":
             yield from _inline_pieces(token.children or (), heading, longest_formula)
-        elif token.nesting <= 0 and token.type not in SILENT:
+        elif token.nesting <= 0 and token.type not in LEFT_OUT:
             yield Piece(" ")
 
 
@@ -70,7 +70,7 @@ def _inline_pieces(
 def _text(token: Token, longest_formula: int) -> str:
     if token.type in ("softbreak", "hardbreak"):
         return " "
-    if token.type in SILENT:
+    if token.type in LEFT_OUT:
         return ""
     if token.type == "math_inline":
         formula = _formula(str(token.meta.get("mathml", "")))
@@ -101,17 +101,17 @@ class SectionText:
     title: str = ""
     terms: list[str] = field(default_factory=list)
     """Words that are introduced here: set in bold or italics."""
-    said: dict[Channel, list[str]] = field(default_factory=dict)
-    """Text; titles, descriptions and captions of figures; questions without their answers."""
+    texts: dict[Channel, list[str]] = field(default_factory=dict)
+    """By channel: text; titles, descriptions and captions of figures; questions without answers."""
 
     def add(self, channel: Channel, text: str) -> None:
-        self.said.setdefault(channel, []).append(text)
+        self.texts.setdefault(channel, []).append(text)
 
     def text(self, channel: Channel) -> str:
-        return " ".join("".join(self.said.get(channel, ())).split())
+        return " ".join("".join(self.texts.get(channel, ())).split())
 
     def count_words(self) -> int:
-        return sum(len(text.split()) for text in (self.title, *map(self.text, self.said)))
+        return sum(len(text.split()) for text in (self.title, *map(self.text, self.texts)))
 
 
 def sections_of(
@@ -135,13 +135,13 @@ def reading_minutes(blocks: Iterable[Block], describe: Describe) -> int:
 
 def chapter_sections(chapter: Chapter, describe: Describe) -> tuple[SectionText, ...]:
     """With the chapter's title and summary at the head of the first."""
-    first = SectionText("", chapter.title, said={"text": [f"{chapter.summary} "]})
+    first = SectionText("", chapter.title, texts={"text": [f"{chapter.summary} "]})
     return sections_of(chapter.body, describe, first)
 
 
 def glossary_sections(book: Book, summary: str) -> Iterator[SectionText]:
     """One for each term."""
-    yield SectionText("", book.words("glossary.title"), said={"text": [summary]})
+    yield SectionText("", book.words("glossary.title"), texts={"text": [summary]})
     for definition in book.glossary:
         term = definition.term
         entry = SectionText(term.id, term.name)

@@ -63,14 +63,14 @@ def cut_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
     trace(at_once)
     core = set(sys.modules)
     trace(later)
-    named = {top(name) for name in later} - core
+    named = {package_prefix(name) for name in later} - core
     chunks: dict[str, dict[str, bytes]] = {}
     for member, content in python.items():
         chunk = "python" if is_needed(member, set(sys.modules)) else "python-rest"
         chunks.setdefault(chunk, {})[member] = content
     for member, content in packages.items():
         if member.startswith("numpy/"):
-            package = top(module_name(member))
+            package = package_prefix(module_name(member))
             later_chunk = package.replace(".", "-") if package in named else "numpy-rest"
             chunk = "numpy" if is_needed(member, core) else later_chunk
         else:
@@ -93,7 +93,7 @@ def is_needed(member: str, imported: set[str]) -> bool:
     return name in imported or name.split(".")[0] in ITS_OWN
 
 
-def top(module: str) -> str:
+def package_prefix(module: str) -> str:
     """``numpy.fft.helper`` → ``numpy.fft``."""
     return ".".join(module.split(".")[:2])
 

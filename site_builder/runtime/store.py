@@ -103,8 +103,8 @@ def is_intact(store: Path, file: RuntimeFile) -> bool:
     return state in _intact
 
 
-def is_whole(stored: Path) -> bool:
-    """The same of a file by its place."""
+def is_intact_file(stored: Path) -> bool:
+    """Whether the stored file has the content that its hash states."""
     return is_intact(stored.parents[1], RuntimeFile(stored.name, stored.parent.name))
 
 

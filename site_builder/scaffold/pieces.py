@@ -20,7 +20,7 @@ from site_builder import __version__
 from site_builder.benchmarks.measurements import COMMAND
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import OUTLINE
-from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, SHARED, own_or_engine
+from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, SHARED, book_or_engine_file
 from site_builder.files.folders import replace_files
 
 FORM = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
@@ -121,7 +121,7 @@ def make_book(folder: Path) -> list[str]:
     files = {
         **wheels,
         ".python-version": f"{sys.version_info.major}.{sys.version_info.minor}\n".encode(),
-        WORKFLOW: own_or_engine(ENGINE, WORKFLOW).read_bytes(),
+        WORKFLOW: book_or_engine_file(ENGINE, WORKFLOW).read_bytes(),
     }
     for template in sorted((HERE / "book").rglob("*")):
         if template.is_file():

@@ -54,8 +54,8 @@ class Records:
 
     explained: Mapping[str, Sequence[str]]
     """Terms by the address of the section that explains them."""
-    asked: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    """Words of readers, likewise."""
+    search_words: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    """Words by which readers look for a section, by its address."""
     _introduced: set[str] = field(default_factory=set)
     _numbers: Iterator[int] = field(default_factory=count)
 
@@ -75,7 +75,7 @@ class Records:
             title=section.title if section.anchor else "",
             introduced=tuple(fresh),
             explains=tuple(self.explained.get(address, ())),
-            asked=tuple(self.asked.get(address, ())),
+            asked=tuple(self.search_words.get(address, ())),
             text=section.text("text"),
             figures=section.text("figure"),
             questions=section.text("question"),
@@ -88,11 +88,11 @@ type PageRecords = tuple[tuple[Record, ...], ...]
 
 def make_records(book: Book, describe: Describe) -> PageRecords:
     """The records of all chapters, then those of the glossary."""
-    asked = {
+    search_words = {
         _address(f"{section.chapter}/index.html", section.id): words
         for section, words in book.search_words
     }
-    records = Records(explained_terms(book), asked)
+    records = Records(explained_terms(book), search_words)
     pages = [
         (f"{chapter.url}index.html", chapter_sections(chapter, describe))
         for chapter in book.chapters

@@ -271,7 +271,7 @@ SCENE = Scene()
             found.add_of(f"{PACKAGE}.ball", "content/a.md", met, message)
         (only,) = BuildError(found.found).diagnostics
         assert (only.path, only.line) == ("simulations/small/ball.py", line)
-        assert only.met == "content/a.md:7"
+        assert only.raised_at == "content/a.md:7"
 
 
 LOOP = "def loop():\n    while True: pass\n"

@@ -40,7 +40,7 @@ from site_builder.editions.pdf import (
     fill,
     make_pdf,
     pdf_printer,
-    settle,
+    print_until_stable,
     volume,
 )
 from site_builder.editions.tree import elements, is_external, parse, words
@@ -189,13 +189,17 @@ def test_typesetting_repeats_until_page_numbers_are_stable() -> None:
         yield from ({"a": 1, "b": 2}, {"a": 1, "b": 3}, {"a": 1, "b": 3})
 
     answers = numbers()
-    pdf = settle(fromstring(NUMBERED), lambda document: document, lambda _: next(answers))
+    pdf = print_until_stable(
+        fromstring(NUMBERED), lambda document: document, lambda _: next(answers)
+    )
     assert "(p.\N{NO-BREAK SPACE}3)" in pdf.decode()
     with pytest.raises(PageNumberError, match="b"):
         fill(fromstring(NUMBERED), {"a": 7})
     pages = iter(range(1, 100))
     with pytest.raises(UnsettledError):
-        settle(fromstring(NUMBERED), lambda text: text, lambda _: dict.fromkeys("ab", next(pages)))
+        print_until_stable(
+            fromstring(NUMBERED), lambda text: text, lambda _: dict.fromkeys("ab", next(pages))
+        )
 
 
 SLIDER = Slider(name="k1", label="k₁", default=0, minimum=-0.5, maximum=0.5, step=0.01)

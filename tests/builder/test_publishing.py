@@ -24,9 +24,9 @@ from site_builder.publishing.vector import (
     ICON,
     ICONS,
     MOST_LINES,
+    fit_title,
     make_icons,
-    set_title,
-    whole_fonts,
+    uncut_fonts,
 )
 from site_builder.settings.declared import site_address, source_address
 
@@ -232,8 +232,8 @@ def test_each_icon_has_its_size_and_an_invalid_drawing_is_reported(tmp_path: Pat
     "title", ["Connections", "2D Transformations", "Why Study Image Formation?", "Öl & <Licht>"]
 )
 def test_title_on_a_card_is_complete_and_fits_its_box(title: str) -> None:
-    face = whole_fonts().title
-    size, lines = set_title(title, 440, face)
+    face = uncut_fonts().title
+    size, lines = fit_title(title, 440, face)
     assert " ".join(lines) == title
     font = TTFont(face)
     names, widths = font.getBestCmap(), font["hmtx"]
@@ -243,7 +243,7 @@ def test_title_on_a_card_is_complete_and_fits_its_box(title: str) -> None:
 
 
 def test_very_long_title_is_cut() -> None:
-    lines = set_title("words " * 200, 440, whole_fonts().title)[1]
+    lines = fit_title("words " * 200, 440, uncut_fonts().title)[1]
     assert len(lines) == MOST_LINES
     assert lines[-1].endswith("…")
 

@@ -82,7 +82,7 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
     """Assert that everything in a frame can be drawn, read and sent."""
     json.loads(to_json(frame))
     for panel in frame.panels:
-        fault = fault_of_drawing(panel.overlay, panel.width, panel.height)
+        fault = drawing_error(panel.overlay, panel.width, panel.height)
         assert not fault, (setting, panel.name, fault)
         if panel.raster is not None:
             opaque = panel.raster[..., 3].max()
@@ -95,7 +95,7 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
 
 
 @lru_cache(maxsize=64)
-def fault_of_drawing(overlay: str, width: float, height: float) -> str:
+def drawing_error(overlay: str, width: float, height: float) -> str:
     """The element with NaN or infinity or the label outside the panel; empty for a sound drawing.
 
     Cached, as most controls leave some panels unchanged.

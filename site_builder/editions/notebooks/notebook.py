@@ -13,7 +13,7 @@ from site_builder.editions.notebooks.cells import ChapterPage, Code, Part, Text,
 from site_builder.editions.notebooks.directive_cells import parts_of
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.output.writer import Content
-from site_builder.publishing.vector import Fonts, whole_fonts
+from site_builder.publishing.vector import Fonts, uncut_fonts
 from site_builder.render.markdown import escaped, link
 from site_builder.runtime.imports import archive_path
 from site_builder.runtime.pack import book_modules, data_beside
@@ -86,7 +86,7 @@ STYLE = "simulations/notebook/style.css"
 
 def make_notebooks(checked: CheckedBook, root: Path) -> dict[str, Content]:
     """All files by path. ``root`` is the book's folder."""
-    fonts = whole_fonts()
+    fonts = uncut_fonts()
     style = notebook_style(root, fonts, checked.book.colours)
     asked_for = "".join(f"{name}\n" for name in checked.book.settings.runtime.packages)
     content = root / "content"

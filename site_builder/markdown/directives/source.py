@@ -9,7 +9,7 @@ from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.blocks import Source
 from site_builder.document.places import Passage
-from site_builder.files.engine import own_or_engine
+from site_builder.files.engine import book_or_engine_file
 from site_builder.files.folders import folder_files
 from site_builder.markdown.block_tree import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
@@ -21,7 +21,7 @@ type Definition = ast.FunctionDef | ast.ClassDef
 def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) -> Source:
     module, _, name = call.argument.partition(":")
     path, root = f"{module.replace('.', '/')}.py", context.shared.root
-    file = own_or_engine(root, path)
+    file = book_or_engine_file(root, path)
     if not file.is_file() or not module.startswith("simulations."):
         raise CodeError(unknown("module", module, _modules(root / "simulations")))
     source = file.read_text(encoding="utf-8-sig", errors="replace")

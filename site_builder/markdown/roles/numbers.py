@@ -39,30 +39,30 @@ from site_builder.markdown.role import Role
 
 COUNTS = ("tiers", "beaten")
 UNIT_COSTS = ("each", "frame", "efficiency")
-WANTED = "native|browser|each|frame|efficiency|METRIC"
-LEGAL = f"legal: 'LADDER TIER {WANTED}', or 'LADDER TIER over TIER …'"
+COLUMN = "native|browser|each|frame|efficiency|METRIC"
+LEGAL = f"legal: 'LADDER TIER {COLUMN}', or 'LADDER TIER over TIER …'"
 
 
-def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH) -> str:
-    """The text for ``asked``. Raises `MeasurementError`."""
-    match asked.split():
+def measured_text(query: str, measurements: Measurements, words: Words = ENGLISH) -> str:
+    """The text for ``query``. Raises `MeasurementError`."""
+    match query.split():
         case [name]:
-            return _about_all(name, measurements)
-        case [ladder, tier, wanted]:
-            return _one(measurements.find(ladder), tier, wanted, words)
-        case [ladder, tier, wanted, "bare"]:
+            return _machine_value_or_count(name, measurements)
+        case [ladder, tier, column]:
+            return _one(measurements.find(ladder), tier, column, words)
+        case [ladder, tier, column, "bare"]:
             measured = measurements.find(ladder)
-            return error_text(*_value(measured, tier, wanted), words)
-        case [ladder, tier, wanted, "range"]:
+            return error_text(*_value(measured, tier, column), words)
+        case [ladder, tier, column, "range"]:
             measured = measurements.find(ladder)
-            _, unit = _value(measured, tier, wanted)
-            return with_unit(range_text(measured[tier].spread(wanted), unit, words), unit)
-        case [ladder, tier, "over", other, wanted]:
-            return words.numeral(_ratio(measurements.find(ladder), tier, other, wanted))
-    raise MeasurementError(f"{{measured}} {asked!r}; {LEGAL}")
+            _, unit = _value(measured, tier, column)
+            return with_unit(range_text(measured[tier].spread(column), unit, words), unit)
+        case [ladder, tier, "over", other, column]:
+            return words.numeral(_ratio(measurements.find(ladder), tier, other, column))
+    raise MeasurementError(f"{{measured}} {query!r}; {LEGAL}")
 
 
-def _about_all(name: str, measurements: Measurements) -> str:
+def _machine_value_or_count(name: str, measurements: Measurements) -> str:
     if name in measurements.machine:
         return str(measurements.machine[name])
     if name not in COUNTS:
@@ -73,33 +73,33 @@ def _about_all(name: str, measurements: Measurements) -> str:
     return str(len(beaten if name == "beaten" else tiers))
 
 
-def _one(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
+def _one(measured: MeasuredLadder, tier: str, column: str, words: Words) -> str:
     _check_tier(measured, tier)
-    if wanted in SIDES:
-        return with_unit(words.numeral(milliseconds(measured[tier].times[wanted].ms)), "ms")
-    if wanted in UNIT_COSTS:
-        return _unit_cost(measured, tier, wanted, words)
-    value, unit = _value(measured, tier, wanted)
+    if column in SIDES:
+        return with_unit(words.numeral(milliseconds(measured[tier].times[column].ms)), "ms")
+    if column in UNIT_COSTS:
+        return _unit_cost(measured, tier, column, words)
+    value, unit = _value(measured, tier, column)
     text = error_text(value, unit, words)
     return text if is_none(value, unit) else with_unit(text, unit)
 
 
-def _unit_cost(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
+def _unit_cost(measured: MeasuredLadder, tier: str, column: str, words: Words) -> str:
     item, ladder = measured[tier], measured.ladder
-    if wanted == "frame":
+    if column == "frame":
         return with_unit(words.numeral(quantity(frame_percent(item))), "%")
-    if wanted == "each" and ladder.items:
+    if column == "each" and ladder.items:
         each = quantity(nanoseconds_each(measured, item))
         return f"{with_unit(words.numeral(each), 'ns')} per {ladder.item}"
-    if wanted == "efficiency" and (ratio := efficiency(measured, item)) is not None:
+    if column == "efficiency" and (ratio := efficiency(measured, item)) is not None:
         return words.numeral(quantity(ratio))
-    raise MeasurementError(f"ladder {ladder.id!r} states no {wanted!r} of {tier!r}")
+    raise MeasurementError(f"ladder {ladder.id!r} states no {column!r} of {tier!r}")
 
 
-def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
-    (one, _), (two, _) = (_value(measured, name, wanted) for name in (tier, other))
+def _ratio(measured: MeasuredLadder, tier: str, other: str, column: str) -> str:
+    (one, _), (two, _) = (_value(measured, name, column) for name in (tier, other))
     if one is None or not two:
-        raise MeasurementError(f"{wanted} of {tier!r} over {other!r}: the second has no error")
+        raise MeasurementError(f"{column} of {tier!r} over {other!r}: the second has no error")
     return quantity(one / two)
 
 
@@ -109,16 +109,16 @@ def _check_tier(measured: MeasuredLadder, tier: str) -> None:
         raise MeasurementError(unknown(f"tier of {measured.ladder.id}", tier, expected))
 
 
-def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | None, str]:
+def _value(measured: MeasuredLadder, tier: str, column: str) -> tuple[float | None, str]:
     _check_tier(measured, tier)
     ladder, item = measured.ladder, measured[tier]
-    if wanted in SIDES:
-        return item.times[wanted].ms, "ms"
+    if column in SIDES:
+        return item.times[column].ms, "ms"
     units = {metric.id: metric.unit for metric in ladder.metrics}
-    if wanted not in units:
+    if column not in units:
         expected = (*SIDES, *UNIT_COSTS, *units)
-        raise MeasurementError(unknown(f"number of {ladder.id}", wanted, expected))
-    return item.errors[wanted], units[wanted]
+        raise MeasurementError(unknown(f"number of {ladder.id}", column, expected))
+    return item.errors[column], units[column]
 
 
 def _text(words: str, context: ParseContext) -> str:
@@ -127,7 +127,7 @@ def _text(words: str, context: ParseContext) -> str:
 
 MEASURED = Role(
     name="measured",
-    form=f"LADDER TIER [over TIER] {WANTED} [bare]",
+    form=f"LADDER TIER [over TIER] {COLUMN} [bare]",
     doc="a number from the file that `python -m site_builder bench` writes",
     text=_text,
 )
@@ -147,8 +147,8 @@ CALC = Role(
 )
 
 
-def _cost(asked: str, context: ParseContext) -> str:
-    found = read_cost(context.shared.root, asked)
+def _cost(query: str, context: ParseContext) -> str:
+    found = read_cost(context.shared.root, query)
     if not isinstance(found, Cost):
         return found
     exact = found.unit in ("", "KB", "MB")

@@ -17,7 +17,7 @@ from site_builder.benchmarks.measurements import MeasuredLadder
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.blocks import Option, Question
 from site_builder.document.places import Passage, passage
-from site_builder.files.engine import own_or_engine
+from site_builder.files.engine import book_or_engine_file
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import read_answers
@@ -116,7 +116,7 @@ def _hard_cases(call: DirectiveCall, context: ParseContext) -> Mapping[str, obje
     if not table:
         return {}
     path = f"simulations/hard_cases/{table.replace('-', '_')}.toml"
-    file = own_or_engine(context.shared.root, path)
+    file = book_or_engine_file(context.shared.root, path)
     if not file.is_file():
         known = sorted(each.stem for each in file.parent.glob("*.toml"))
         context.problem(call.line_of("hard"), unknown("table of hard cases", table, known))
