@@ -27,13 +27,13 @@ class Level:
     """Its id, in addresses and chapters."""
     label: str = ""
     """Label for readers; a tier of the scene's ladder needs none."""
-    gives: Mapping[str, Value] = field(default_factory=dict)
+    stage_values: Mapping[str, Value] = field(default_factory=dict)
     """Parameters of the stages. ``tier`` is the level's name, unless it is among them."""
 
     @property
     def parameters(self) -> dict[str, Value]:
         """All parameters of the stages at this level."""
-        return {"tier": self.name, **self.gives}
+        return {"tier": self.name, **self.stage_values}
 
 
 def tiers(*names: str, labels: Mapping[str, str] | None = None) -> tuple[Level, ...]:

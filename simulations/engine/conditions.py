@@ -9,7 +9,7 @@ from simulations.engine.settings import values_of
 WORDS = {"∞": float("inf"), "\u2212∞": float("-inf"), "undefined": float("nan")}
 
 
-def shown_value(text: str) -> float | str:
+def readout_value(text: str) -> float | str:
     """The number in a readout, or its text if there is none."""
     if text in WORDS:
         return WORDS[text]
@@ -22,7 +22,7 @@ def shown_value(text: str) -> float | str:
 def names_in(settings: object, frame: Frame) -> Mapping[str, object]:
     """Names and values for conditions: the settings, and the readouts that share no setting's
     name."""
-    readouts = {readout.name: shown_value(readout.text) for readout in frame.readouts}
+    readouts = {readout.name: readout_value(readout.text) for readout in frame.readouts}
     return {**readouts, **values_of(settings)}
 
 

@@ -105,8 +105,8 @@ def peak(part: Part) -> Floats:
     return place
 
 
-def taylor(part: Part) -> Floats:
-    """From there, one step to where the slopes are zero: Taylor's formula in 3 × 3 pixels."""
+def taylor_step(part: Part) -> Floats:
+    """From the peak, one step to where the slopes are zero: Taylor's formula in 3 × 3 pixels."""
     place = peak(part)
     _, step = _curvature(part, place)
     return place + np.clip(step, -1.0, 1.0)
@@ -177,7 +177,7 @@ def rms_px(
 
 TIERS: tuple[tuple[str, str, str, Refine], ...] = (
     ("peak", "Most curved pixel", "25 × 9 pixels", peak),
-    ("taylor", "Taylor step from there", "26 × 9 pixels", taylor),
+    ("taylor", "Taylor step from there", "26 × 9 pixels", taylor_step),
     ("parabola-3", "Parabola, radius 3", "37 pixels, 5 steps", partial(parabola, radius=3)),
     ("parabola-8", "Parabola, radius 8", "225 pixels, 5 steps", partial(parabola, radius=RADIUS)),
     ("gradients", "Slopes of the edges", "225 pixels, 5 steps", gradients),

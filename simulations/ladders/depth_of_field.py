@@ -27,7 +27,7 @@ type Ray = tuple[Floats, Floats, Floats, Floats]
 class Workload:
     """A picture and the lens."""
 
-    seen: cards.Pixels
+    pixels: cards.Pixels
     """The pixels, in float32."""
     lens_radius: float
     """Metres: large, as the cards are large and metres away."""
@@ -55,18 +55,18 @@ def draw(index: int) -> Workload:
 def radius_px(workload: Workload, depth: Floats | float) -> Floats:
     """Radius of the disc of confusion."""
     defocus = np.abs(1.0 / np.asarray(depth) - 1.0 / cards.FOCUS_Z)
-    return workload.seen.focal_px * workload.lens_radius * defocus
+    return workload.pixels.focal_px * workload.lens_radius * defocus
 
 
 def pinhole(workload: Workload) -> Planes:
-    return cards.radiance(workload.seen, 0.0, 0.0).astype(np.float32)
+    return cards.radiance(workload.pixels, 0.0, 0.0).astype(np.float32)
 
 
 def _depth(workload: Workload) -> Floats:
     """Depth (H, W) seen by the pinhole."""
-    _, depth = cards.background(workload.seen)
+    _, depth = cards.background(workload.pixels)
     for card in cards.CARDS:
-        _, cover = cards.card_light(card, workload.seen)
+        _, cover = cards.card_light(card, workload.pixels)
         depth = np.where(cover > 0.5, card.z, depth)
     return depth
 
@@ -86,11 +86,11 @@ def gather(workload: Workload) -> Planes:
 
 def layered(workload: Workload, blur: Blur = disc_blur) -> Planes:
     """Each card on its own layer, complete with the parts that others hide."""
-    picture, depth = cards.background(workload.seen)
+    picture, depth = cards.background(workload.pixels)
     base = blur_by_depth(picture.astype(np.float32), radius_px(workload, depth), blur)
     layers = []
     for card in cards.CARDS:
-        colour, cover = cards.card_light(card, workload.seen)
+        colour, cover = cards.card_light(card, workload.pixels)
         planes = np.concatenate([colour * cover, cover[None]]).astype(np.float32)
         layers.append(blur_layer(Layer(planes, 0, 0, float(radius_px(workload, card.z))), blur))
     return composite(base, layers)
@@ -103,18 +103,18 @@ def _fibonacci(workload: Workload, *, rays: int) -> Planes:
 
 def _random(workload: Workload, *, rays: int) -> Planes:
     """Every pixel uses its own random points of the lens: the error is grain."""
-    return _through(workload, random_disc(rays, workload.seen.shape, _random_numbers(workload)))
+    return _through(workload, random_disc(rays, workload.pixels.shape, _random_numbers(workload)))
 
 
 def _jittered(workload: Workload) -> Planes:
     """Every pixel uses its own random point in each of sixteen cells of the lens."""
-    return _through(workload, jittered_disc(2, 8, workload.seen.shape, _random_numbers(workload)))
+    return _through(workload, jittered_disc(2, 8, workload.pixels.shape, _random_numbers(workload)))
 
 
 def _turned(workload: Workload, *, rays: int) -> Planes:
     """All pixels use the same points of the lens, each rotated by its own random angle."""
     spiral, rng = fibonacci_disc(rays), _random_numbers(workload)
-    return _through(workload, turned_disc(spiral, workload.seen.shape, rng))
+    return _through(workload, turned_disc(spiral, workload.pixels.shape, rng))
 
 
 def _random_numbers(workload: Workload) -> np.random.Generator:
@@ -123,9 +123,9 @@ def _random_numbers(workload: Workload) -> np.random.Generator:
 
 def _through(workload: Workload, points: Floats) -> Planes:
     """Mean of the pictures through ``points`` (n, 2) of the unit disc, or (n, 2, H, W)."""
-    total = np.zeros((3, *workload.seen.shape), np.float32)
+    total = np.zeros((3, *workload.pixels.shape), np.float32)
     for x, y in np.float32(workload.lens_radius) * points:
-        total += cards.radiance(workload.seen, x, y)
+        total += cards.radiance(workload.pixels, x, y)
     return total / np.float32(len(points))
 
 
@@ -136,7 +136,7 @@ def reference(workload: Workload, rays: int = 4096) -> Floats:
     the floor or the wall at one point, which is light or dark. The means are taken over many rays,
     each through a different place in pixel and lens.
     """
-    pixels = cards.pixels(workload.seen.shape[1], np.float64)
+    pixels = cards.pixels(workload.pixels.shape[1], np.float64)
     shades = np.zeros((1 + len(cards.CARDS), *pixels.shape))
     for right, down, square, turn in spread_evenly(rays).tolist():
         radius, angle = workload.lens_radius * np.sqrt(square), 2 * np.pi * turn

@@ -55,7 +55,7 @@ def draw(index: int) -> Workload:
     )
 
 
-def _each(coverage: Callable[[Disc], Floats]) -> Callable[[Workload], Result]:
+def _for_every_disc(coverage: Callable[[Disc], Floats]) -> Callable[[Workload], Result]:
     return lambda workload: [coverage(disc) for disc in workload]
 
 
@@ -161,7 +161,7 @@ def worst(result: Result, truth: Result, _workload: Workload, *, which: int) -> 
 
 
 def _box_tier(factor: int) -> Tier:
-    run = _each(partial(_supersample, factor=factor))
+    run = _for_every_disc(partial(_supersample, factor=factor))
     if factor == 1:
         return Tier("point", "Point sample", "1 sample a pixel", run)
     cost = f"{factor**2} samples in every pixel"
@@ -169,7 +169,7 @@ def _box_tier(factor: int) -> Tier:
 
 
 def _edge_tier(tier_id: str, label: str, cost: str, coverage: OnEdge) -> Tier:
-    return Tier(tier_id, label, cost, _each(partial(_on_the_edge, coverage=coverage)))
+    return Tier(tier_id, label, cost, _for_every_disc(partial(_on_the_edge, coverage=coverage)))
 
 
 def _edge_box_tier(factor: int) -> Tier:
@@ -188,7 +188,7 @@ LADDER = Ladder(
             "ramp",
             "Distance ramp",
             "1 distance a pixel",
-            _each(lambda disc: ramp_coverage(_distance(disc))),
+            _for_every_disc(lambda disc: ramp_coverage(_distance(disc))),
         ),
         _box_tier(2),
         _edge_tier(

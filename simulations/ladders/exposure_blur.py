@@ -16,7 +16,7 @@ from simulations.models.sensor.exposure import (
 )
 from simulations.pictures import moving_ball
 
-type OwnInstants = Callable[
+type MeanOfInstants = Callable[
     [Callable[[Floats], Floats], int, tuple[int, ...], np.random.Generator], Floats
 ]
 """A mean of ``count`` pictures, given the picture as a function of the times of all pixels."""
@@ -62,7 +62,7 @@ def _instants(workload: Workload, *, count: int) -> Floats:
     )
 
 
-def _own_instants(workload: Workload, *, mean: OwnInstants, count: int) -> Floats:
+def _instants_per_pixel(workload: Workload, *, mean: MeanOfInstants, count: int) -> Floats:
     """Every pixel has its own random instants."""
     shape = (moving_ball.HEIGHT, moving_ball.WIDTH)
     rng = np.random.default_rng(workload.seed)
@@ -149,13 +149,13 @@ LADDER = Ladder(
             "random-16",
             "16 independent instants",
             "16 pictures",
-            partial(_own_instants, mean=mean_of_random_instants, count=16),
+            partial(_instants_per_pixel, mean=mean_of_random_instants, count=16),
         ),
         Tier(
             "jittered-16",
             "16 instants, one in each share",
             "16 pictures",
-            partial(_own_instants, mean=mean_of_jittered_instants, count=16),
+            partial(_instants_per_pixel, mean=mean_of_jittered_instants, count=16),
         ),
         _instants_tier(64),
     ),

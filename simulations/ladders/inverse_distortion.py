@@ -19,7 +19,7 @@ WIDTH, HEIGHT = 640, 480
 class Workload:
     """Distorted points and the lens."""
 
-    seen: Floats
+    distorted: Floats
     """(N, 2) normalised distorted coordinates."""
     lens: Distortion
     focal_px: float
@@ -51,7 +51,7 @@ def reference(workload: Workload) -> Floats:
     k₁ < 0 alone it does so up to r = √(−1/(3 k₁)), where the search ends.
     """
     k1, k2 = workload.lens.k1, workload.lens.k2
-    distorted_radius: Floats = np.linalg.norm(workload.seen, axis=-1)
+    distorted_radius: Floats = np.linalg.norm(workload.distorted, axis=-1)
     furthest = np.sqrt(-1.0 / (3.0 * k1)) if k1 < 0.0 and not k2 else 3.0
     low, high = np.zeros_like(distorted_radius), np.full_like(distorted_radius, furthest)
     for _ in range(60):
@@ -59,7 +59,7 @@ def reference(workload: Workload) -> Floats:
         s = middle * middle
         too_far = middle * (1 + k1 * s + k2 * s * s) > distorted_radius
         low, high = np.where(too_far, low, middle), np.where(too_far, middle, high)
-    return workload.seen * (high / distorted_radius)[:, None]
+    return workload.distorted * (high / distorted_radius)[:, None]
 
 
 def _distance_px(result: Floats, truth: Floats, workload: Workload) -> Floats:
@@ -77,7 +77,7 @@ def worst_px(result: Floats, truth: Floats, workload: Workload) -> float:
 def _run(workload: Workload, *, inverse: Inverse) -> Floats:
     """A lens that is not cached: a table is made anew in every run."""
     inverse_table.cache_clear()
-    return inverse(workload.seen, workload.lens)
+    return inverse(workload.distorted, workload.lens)
 
 
 TIERS = tuple(

@@ -26,7 +26,9 @@ type Points = tuple[Floats, ...]
 
 
 def _lenses(pincushion: Workload, barrel: Workload) -> Lenses:
-    return replace(pincushion, seen=pincushion.seen[::2]), replace(barrel, seen=barrel.seen[::2])
+    return replace(pincushion, distorted=pincushion.distorted[::2]), replace(
+        barrel, distorted=barrel.distorted[::2]
+    )
 
 
 def prepare() -> Lenses:
@@ -59,7 +61,7 @@ def _both(workload: Lenses, *, run: Callable[[Workload], Floats]) -> Points:
 
 
 def _formula(workload: Workload) -> Floats:
-    return undistort_closed_form(workload.seen, workload.lens)
+    return undistort_closed_form(workload.distorted, workload.lens)
 
 
 CLOSED_FORM = Tier(

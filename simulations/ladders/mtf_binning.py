@@ -99,7 +99,7 @@ def reference(workload: Workload) -> Halves:
     return Halves(halves, halves)
 
 
-def _each(workload: Workload, *, half: Callable[[EdgePixels], float]) -> Halves:
+def _mean_halves(workload: Workload, *, half: Callable[[EdgePixels], float]) -> Halves:
     clean, noisy = (np.array([half(p) for p in each]) for each in (workload.clean, workload.noisy))
     return Halves(clean, noisy)
 
@@ -162,7 +162,7 @@ def _bins(
     id: str, label: str, bins: int, *, corrected: bool = True, at_means: bool = False
 ) -> Tier:
     half = partial(_by_bins, bins=bins, corrected=corrected, at_means=at_means)
-    return Tier(id, label, f"{round(2 * REACH * bins)} bins", partial(_each, half=half))
+    return Tier(id, label, f"{round(2 * REACH * bins)} bins", partial(_mean_halves, half=half))
 
 
 LADDER = Ladder(
@@ -176,7 +176,7 @@ LADDER = Ladder(
         _bins("bins-4", "Bins of ¼ px", 4),
         _bins("means-4", "Bins of ¼ px, at their mean distances", 4, at_means=True),
         _bins("bins-8", "Bins of ⅛ px", 8),
-        Tier("spline", "Spline", "44 unknowns", partial(_each, half=_by_curve)),
+        Tier("spline", "Spline", "44 unknowns", partial(_mean_halves, half=_by_curve)),
     ),
     reference=reference,
     reference_label="the product of the formulae of blur and pixel",

@@ -21,8 +21,8 @@ def _heart(x: float, y: float, wide: float) -> Floats:
     """A heart about (x, y), upside down on the lower half of the card as on a real one."""
     t = np.arange(48) * (math.tau / 48)
     up = 13 * np.cos(t) - 5 * np.cos(2 * t) - 2 * np.cos(3 * t) - np.cos(4 * t) + 2
-    way = 1.0 if y > -1.0 else -1.0
-    return np.stack([x + wide * np.sin(t) ** 3 / 2, y + way * wide * up / 33], axis=-1)
+    sign = 1.0 if y > -1.0 else -1.0
+    return np.stack([x + wide * np.sin(t) ** 3 / 2, y + sign * wide * up / 33], axis=-1)
 
 
 def _rounded(wide: float, high: float, radius: float) -> Floats:

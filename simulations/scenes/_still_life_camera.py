@@ -93,7 +93,7 @@ def nearest_depth(principal: float, k1: float, back: float = 0.0) -> float:
     _, down = ideal_reach(principal, k1)
     falling = still_life.WORLD_TO_CAMERA[:3, 2] @ (0.0, -down, -1.0)
     floor = still_life.eye(back)[2] / falling if falling > 0 else math.inf
-    nearest = min(still_life.thing_depth(thing) for thing in still_life.THINGS)
+    nearest = min(still_life.object_depth(thing) for thing in still_life.OBJECTS)
     return float(min(floor, nearest + back))
 
 

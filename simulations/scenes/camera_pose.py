@@ -111,7 +111,7 @@ class Standpoint:
         plan = clip_to_rectangle(ahead, *np.sort(WALLS[[0, 2]][:, [0, 2]], axis=0))
         return np.insert(plan, 1, FLOOR_Y, axis=1)
 
-    def seen(self, points: Floats) -> Floats:
+    def in_camera_axes(self, points: Floats) -> Floats:
         """World points (..., 3) in camera coordinates."""
         return world_to_camera(points, self.pose)
 
@@ -131,7 +131,7 @@ def camera_to_panel(here: Standpoint, look: View) -> ToPanel:
     """Points (..., 3) in camera coordinates in the second panel's view box (..., 2), which shows
     the whole room."""
     to_view = replace(look, centre=(0.0, 0.0), target=(0.0, 0.0, 0.0))
-    room = to_view.all(here.seen(WALLS))
+    room = to_view.all(here.in_camera_axes(WALLS))
     least = MARGIN - room.min(axis=0)
     most = np.array([WIDTH, HEIGHT]) - MARGIN - room.max(axis=0)
     x, y = np.clip(CAMERA_ORIGIN, least, most).tolist()
@@ -146,7 +146,7 @@ def from_camera(here: Standpoint, look: View) -> ToPanel:
 def to_camera(here: Standpoint, look: View) -> ToPanel:
     """World coordinates to the second panel."""
     place = camera_to_panel(here, look)
-    return lambda points: place(here.seen(points))
+    return lambda points: place(here.in_camera_axes(points))
 
 
 def picture(standpoint: Standpoint, columns: int) -> Raster:
@@ -160,7 +160,7 @@ def picture_panel(here: Standpoint, raster: Raster) -> Panel:
     """What the camera sees, with the lamp if it is in view."""
     wide, high = 400.0, 300.0
     K = intrinsics(wide / 2 / math.tan(FIELD_RAD / 2), (wide / 2, high / 2))
-    ends = here.seen(np.stack([LAMP, LAMP * [1, 0, 1] + [0, FLOOR_Y - HIGH[2], 0]]))
+    ends = here.in_camera_axes(np.stack([LAMP, LAMP * [1, 0, 1] + [0, FLOOR_Y - HIGH[2], 0]]))
     pixels, valid = project(ends, K)
     cord = clip_to_rectangle(pixels, (0.0, 0.0), (wide, high), False) if valid.all() else pixels[:0]
     overlay = drawing.polyline(cord, "light thin") if len(cord) else ""
@@ -307,7 +307,7 @@ def triple(values: Floats) -> str:
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The room twice, the pose, and the lamp in camera coordinates."""
     here: Standpoint = outputs["standpoint"]
-    t, lamp = triple(here.t), triple(here.seen(LAMP))
+    t, lamp = triple(here.t), triple(here.in_camera_axes(LAMP))
     look = space(settings.azimuth, settings.elevation)
     drawn = world_panel(here, look), camera_panel(here, look)
     return Frame(

@@ -197,7 +197,7 @@ def towards(azimuth_deg: Floats | float, elevation_deg: Floats | float) -> Float
     return np.stack([flat * np.sin(azimuth), -np.sin(elevation), flat * np.cos(azimuth)], axis=-1)
 
 
-def pictured(C: Floats, directions: Floats) -> Floats:
+def view_box_places(C: Floats, directions: Floats) -> Floats:
     """View box places (..., 2) of directions of the world, for a camera whose axes are the columns
     of ``C``; NaN beside or behind the camera."""
     in_camera = directions @ C
@@ -222,7 +222,7 @@ def draw_sky(pan: float, tilt: float, roll: float, columns: int) -> Raster:
     light = ZENITH + np.exp(-7.0 * height)[..., None] * GLOW
     band = GALAXY[0] * right + GALAXY[1] * down + GALAXY[2] * ahead
     light += (0.016 * np.exp(-25.0 * band * band))[..., None]
-    places = fine * pictured(C, towards(*STARS))
+    places = fine * view_box_places(C, towards(*STARS))
     visible = np.isfinite(places).all(axis=-1)
     spots, shine = places[visible], STAR_LIGHT[visible]
     for row in range(-2, 3):
@@ -270,7 +270,7 @@ def _circles(C: Floats) -> str:
     curves += [towards(azimuth, rises) for azimuth in np.arange(0.0, 360.0, 30.0).tolist()]
     runs_in_view = []
     for curve in curves:
-        across, down = pictured(C, curve).T
+        across, down = view_box_places(C, curve).T
         runs_in_view += runs_inside(across, down, (0.0, WIDTH), (0.0, HEIGHT))
     return drawing.path(runs_in_view, "light thin faint")
 
@@ -280,7 +280,7 @@ def _names(C: Floats) -> Iterator[str]:
     spots = [(name, towards(azimuth, -7.0)) for name, azimuth in quarters]
     ends = (("straight up", towards(0.0, 90.0)), ("straight down", towards(0.0, -90.0)))
     for name, direction in (*spots, *ends):
-        spot = pictured(C, direction).tolist()
+        spot = view_box_places(C, direction).tolist()
         if _is_inside(spot, 45.0):
             yield drawing.text((spot[0], spot[1] + 18.0), name, "world small ground", "middle")
 

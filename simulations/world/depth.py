@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.light.raycasting import intersect, intersect_plane
 from simulations.world.surfaces import FLOOR_PLANE, WALL_PLANE
-from simulations.world.things import THINGS, depth_along_axis, thing_depth, view
+from simulations.world.things import OBJECTS, depth_along_axis, object_depth, view
 
 
 def ray_depth(ray_camera: ArrayLike, back: float = 0.0) -> float:
@@ -17,9 +17,9 @@ def ray_depth(ray_camera: ArrayLike, back: float = 0.0) -> float:
     high, as it is drawn.
     """
     rays = view(np.asarray(ray_camera, float).reshape(1, 1, 3), back=back)
-    for thing in sorted(THINGS, key=thing_depth):
+    for thing in sorted(OBJECTS, key=object_depth):
         if intersect(thing.solid, rays.eye, rays.directions).valid.all():
-            return thing_depth(thing) + back
+            return object_depth(thing) + back
     direction = rays.directions[0, 0]
     hits = (intersect_plane(*plane, rays.eye, direction) for plane in (FLOOR_PLANE, WALL_PLANE))
     distance = min((float(far) for far, valid in hits if valid), default=math.inf)

@@ -7,7 +7,7 @@ import numpy as np
 
 from simulations.models.light.raycasting import Box, Sphere
 from simulations.world import light
-from simulations.world.things import THINGS, WALL_DISTANCE, Thing, resting
+from simulations.world.things import OBJECTS, WALL_DISTANCE, SceneObject, resting
 
 LOW, HIGH = (-4.5, -5.0, 0.0), (4.5, WALL_DISTANCE, 3.4)
 """Corners of the room, metres."""
@@ -37,25 +37,29 @@ SKY, BOUNCE = np.array([0.62, 0.80, 1.05]), 2.2 * light.BOUNCE
 """Light of the window, and from the floor of the whole room; linear RGB."""
 
 
-def _table(x: float, y: float, wide: float, deep: float) -> tuple[Thing, ...]:
+def _table(x: float, y: float, wide: float, deep: float) -> tuple[SceneObject, ...]:
     top = Box((x, y, TABLE_M - 0.02), (wide, deep, 0.04))
     ends = [
         (x + a * (wide / 2 - 0.05), y + b * (deep / 2 - 0.05)) for a in (-1, 1) for b in (-1, 1)
     ]
     half = (TABLE_M - 0.04) / 2
-    legs = (Thing("table", Box((u, v, half), (0.05, 0.05, 2 * half)), WOOD) for u, v in ends)
-    return (Thing("table", top, OAK, gloss=0.08), *legs)
+    legs = (SceneObject("table", Box((u, v, half), (0.05, 0.05, 2 * half)), WOOD) for u, v in ends)
+    return (SceneObject("table", top, OAK, gloss=0.08), *legs)
 
 
 FURNITURE = (
     *_table(2.75, 3.5, 0.8, 1.5),
-    Thing("vase", Sphere((2.75, 3.85, TABLE_M + 0.13), 0.13), (0.07, 0.28, 0.30), gloss=0.4),
-    Thing("card", Box((2.62, 3.25, TABLE_M + 0.09), (0.13, 0.004, 0.18), 0.35), (0.8, 0.79, 0.76)),
-    Thing("figure", Box((-2.7, 3.9, 0.42), (0.30, 0.18, 0.84), 0.4), (0.48, 0.30, 0.16)),
-    Thing("figure", Box((-2.7, 3.9, 1.15), (0.44, 0.22, 0.62), 0.4), (0.56, 0.37, 0.20)),
-    Thing("figure", Sphere((-2.7, 3.9, PERSON_M - 0.14), 0.14), (0.62, 0.42, 0.24), gloss=0.1),
-    Thing("football", resting(-3.3, 5.4, 0.11), (0.75, 0.74, 0.70), gloss=0.2),
+    SceneObject("vase", Sphere((2.75, 3.85, TABLE_M + 0.13), 0.13), (0.07, 0.28, 0.30), gloss=0.4),
+    SceneObject(
+        "card", Box((2.62, 3.25, TABLE_M + 0.09), (0.13, 0.004, 0.18), 0.35), (0.8, 0.79, 0.76)
+    ),
+    SceneObject("figure", Box((-2.7, 3.9, 0.42), (0.30, 0.18, 0.84), 0.4), (0.48, 0.30, 0.16)),
+    SceneObject("figure", Box((-2.7, 3.9, 1.15), (0.44, 0.22, 0.62), 0.4), (0.56, 0.37, 0.20)),
+    SceneObject(
+        "figure", Sphere((-2.7, 3.9, PERSON_M - 0.14), 0.14), (0.62, 0.42, 0.24), gloss=0.1
+    ),
+    SceneObject("football", resting(-3.3, 5.4, 0.11), (0.75, 0.74, 0.70), gloss=0.2),
 )
-ROOM = (*THINGS, *FURNITURE)
+ROOM = (*OBJECTS, *FURNITURE)
 WALLS = ("left wall", "right wall", "front wall", "back wall", "floor", "ceiling")
 NAMES = (*WALLS, *(thing.name for thing in ROOM))

@@ -11,7 +11,7 @@ from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import penumbra, shadow_bounds, smooth_ramp
 from simulations.world.surfaces import Surface, Window, windows_between
-from simulations.world.things import THINGS, Thing
+from simulations.world.things import OBJECTS, SceneObject
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
@@ -30,7 +30,7 @@ def lamp_direction(light_angle_deg: float) -> Vector:
 
 def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:
     """(3, h, w) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
-    others = [thing for thing in THINGS if thing is not part.thing]
+    others = [thing for thing in OBJECTS if thing is not part.thing]
     direct = (lambert(part.normals, lamp) * lamp_visibility(part.points, lamp, others)).astype(
         np.float32
     )
@@ -63,7 +63,7 @@ def shadow_corners(solid: Sphere | Box, lamp: Vector) -> tuple[Floats, Floats]:
     return shadow_bounds(solid, lamp, LAMP_RADIUS_RAD)
 
 
-def lamp_visibility(points: Floats, lamp: Vector, things: Sequence[Thing]) -> Floats:
+def lamp_visibility(points: Floats, lamp: Vector, things: Sequence[SceneObject]) -> Floats:
     """Share (H, W) of the lamp that the things do not hide from points (H, W, 3)."""
     share = np.ones(points.shape[:2])
     for window, place in _penumbras(points, lamp, things):
@@ -71,7 +71,9 @@ def lamp_visibility(points: Floats, lamp: Vector, things: Sequence[Thing]) -> Fl
     return share
 
 
-def lamp_penumbra(points: Floats, lamp: Vector, things: Sequence[Thing], beyond: float) -> Floats:
+def lamp_penumbra(
+    points: Floats, lamp: Vector, things: Sequence[SceneObject], beyond: float
+) -> Floats:
     """Place (H, W) of points in the penumbra of all things, from -``beyond`` to 1 + ``beyond``, of
     which the share of the lamp is the `smooth_ramp`.
 
@@ -88,7 +90,7 @@ def lamp_penumbra(points: Floats, lamp: Vector, things: Sequence[Thing], beyond:
 
 
 def _penumbras(
-    points: Floats, lamp: Vector, things: Sequence[Thing]
+    points: Floats, lamp: Vector, things: Sequence[SceneObject]
 ) -> Iterator[tuple[Window, Floats]]:
     """The places in the penumbra of each thing, in the window that its shadow may reach."""
     solids = [thing.solid for thing in things]

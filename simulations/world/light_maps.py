@@ -20,7 +20,7 @@ from simulations.models.light.soft_shadows import bounding_radius, smooth_ramp
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
 from simulations.world.light import lamp_direction, lamp_penumbra, shadow_corners
 from simulations.world.surfaces import sky_visibility, windows_between
-from simulations.world.things import Thing
+from simulations.world.things import SceneObject
 from simulations.world.tracing import FACES, NUMBERED, Numbers
 from simulations.world.walls import ALONG
 
@@ -162,7 +162,7 @@ def light_map(light_angle: float, spacing: float = FINE_M) -> LightMap:
     )
 
 
-def _shares(patches: Sequence[Patch], others: Sequence[Thing], lamp: Vector) -> Planes:
+def _shares(patches: Sequence[Patch], others: Sequence[SceneObject], lamp: Vector) -> Planes:
     """Shares (2, nodes) of all nodes of some patches, which the same things may hide."""
     if len(patches) == 1:
         points, normals = patches[0].points, patches[0].normals
@@ -177,7 +177,7 @@ def _shares(patches: Sequence[Patch], others: Sequence[Thing], lamp: Vector) -> 
     return np.stack([penumbra.ravel(), openness.ravel()]).astype(np.float32)
 
 
-def _moved_to_sides(points: Floats, normals: Floats, others: Sequence[Thing]) -> Floats:
+def _moved_to_sides(points: Floats, normals: Floats, others: Sequence[SceneObject]) -> Floats:
     """Points, with those under a box moved to its sides: they are hidden, but the light between
     them and their neighbours is visible."""
     boxes = [thing.solid for thing in others if isinstance(thing.solid, Box)]
@@ -220,7 +220,7 @@ def shadowed_bounds(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
     return np.maximum(low, least), np.minimum(high, most)
 
 
-def _patches_of(thing: Thing, first: int, spacing: float, lamp: Vector) -> list[Patch]:
+def _patches_of(thing: SceneObject, first: int, spacing: float, lamp: Vector) -> list[Patch]:
     solid = thing.solid
     if isinstance(solid, Sphere):
         return [_round(solid, spacing)]
@@ -237,7 +237,7 @@ def _patches_of(thing: Thing, first: int, spacing: float, lamp: Vector) -> list[
     return patches
 
 
-def _in_shadow(patch: Patch, lamp: Vector, others: Sequence[Thing]) -> bool:
+def _in_shadow(patch: Patch, lamp: Vector, others: Sequence[SceneObject]) -> bool:
     """Whether a face is turned to the lamp, and the shadow of another thing may fall on it."""
     if patch.normals[0, 0] @ lamp <= 0:
         return False

@@ -15,7 +15,7 @@ from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.light.raycasting import Sphere
 from simulations.world.furniture import DOORWAY, HIGH, LOW, ROOM
 from simulations.world.surfaces import CHART
-from simulations.world.things import Thing
+from simulations.world.things import SceneObject
 
 WALLS = np.array([LOW[:2], (HIGH[0], LOW[1]), HIGH[:2], (LOW[0], HIGH[1])])
 """Corners (4, 2) of the floor, metres: x and y."""
@@ -69,7 +69,7 @@ def _colours() -> list[list[float]]:
 
 
 @cache
-def footprint(thing: Thing) -> Floats:
+def footprint(thing: SceneObject) -> Floats:
     """Corners (n, 2) of a thing from above, metres: x and y."""
     centre = np.asarray(thing.solid.centre[:2])
     if isinstance(thing.solid, Sphere):

@@ -15,7 +15,7 @@ from simulations.world import light
 from simulations.world.furniture import BOUNCE, SKY, WALLS
 from simulations.world.light_maps import LightMap
 from simulations.world.surfaces import STRIPES_AXIS
-from simulations.world.things import Thing
+from simulations.world.things import SceneObject
 from simulations.world.tracing import (
     FACES,
     FIRST_BALL,
@@ -255,7 +255,7 @@ def _shaded(
     return direct
 
 
-def _striped(thing: Thing, samples: Samples, directions: Floats, normals: Floats) -> Planes:
+def _striped(thing: SceneObject, samples: Samples, directions: Floats, normals: Floats) -> Planes:
     """(3, n) colours of a striped ball. A pixel's footprint is computed on the tangent plane."""
     assert isinstance(thing.solid, Sphere)
     assert thing.second_albedo is not None

@@ -22,13 +22,13 @@ from simulations.models.light.raycasting import (
 from simulations.models.light.soft_shadows import bounding_radius, sphere_occlusion
 from simulations.pictures.patterns import band_about, checker, pixel_width, siemens_star, stripes
 from simulations.world.things import (
-    THINGS,
+    OBJECTS,
     WALL_DISTANCE,
     WALL_HEIGHT,
-    Thing,
+    SceneObject,
     WorldRays,
     depth_along_axis,
-    thing_depth,
+    object_depth,
 )
 
 type Window = tuple[slice, slice]
@@ -57,7 +57,7 @@ INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
 class Surface:
     """The visible side of one thing, in a window of the picture."""
 
-    thing: Thing | None
+    thing: SceneObject | None
     """None for the floor and the wall."""
     top: int
     left: int
@@ -80,12 +80,12 @@ class Surface:
 
 def surfaces(rays: WorldRays) -> tuple[Surface, ...]:
     """Wall and floor, then the things in view from the farthest to the nearest."""
-    ordered = sorted(THINGS, key=thing_depth, reverse=True)
-    found = (_thing_surface(thing, rays) for thing in ordered)
+    ordered = sorted(OBJECTS, key=object_depth, reverse=True)
+    found = (_object_surface(thing, rays) for thing in ordered)
     return (*_wall_and_floor(rays), *(surface for surface in found if surface is not None))
 
 
-def _thing_surface(thing: Thing, rays: WorldRays) -> Surface | None:
+def _object_surface(thing: SceneObject, rays: WorldRays) -> Surface | None:
     window = _window(thing, rays)
     if window is None:
         return None
@@ -99,8 +99,8 @@ def _thing_surface(thing: Thing, rays: WorldRays) -> Surface | None:
         outwards = points - thing.solid.centre
         facing = outwards / np.linalg.norm(outwards, axis=-1, keepdims=True)
     normals = _mean_normals(thing.solid, rays, directions, facing)
-    albedo, depth = thing_albedo(thing, facing, rays.area), thing_depth(thing) + rays.back
-    openness = sky_visibility(points, facing, THINGS)
+    albedo, depth = object_albedo(thing, facing, rays.area), object_depth(thing) + rays.back
+    openness = sky_visibility(points, facing, OBJECTS)
     rows, columns = window
     return Surface(
         thing=thing,
@@ -133,7 +133,7 @@ def _mean_normals(
     return (facing * np.moveaxis(shares / shares.sum(axis=0), 0, -1)) @ axes
 
 
-def _window(thing: Thing, rays: WorldRays) -> Window | None:
+def _window(thing: SceneObject, rays: WorldRays) -> Window | None:
     """Rows and columns, with a margin, of the pixels whose rays pass near the thing."""
     to_centre = np.asarray(thing.solid.centre) - rays.eye
     distance = float(np.linalg.norm(to_centre))
@@ -153,7 +153,7 @@ def window_of(mask: Mask, margin: int = 1) -> Window | None:
     return slice(top, bottom), slice(left, right)
 
 
-def thing_albedo(thing: Thing, normals: Floats, area: bool) -> Planes:
+def object_albedo(thing: SceneObject, normals: Floats, area: bool) -> Planes:
     if thing.second_albedo is None:
         colour = np.array(thing.albedo, np.float32)
         return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
@@ -173,7 +173,7 @@ def mixed(first: Floats, second: Floats, share: Floats) -> Planes:
 def sky_visibility(
     points: Floats,
     normals: Floats,
-    things: Sequence[Thing],
+    things: Sequence[SceneObject],
     reach: float = OCCLUSION_REACH,
 ) -> Floats:
     """Share of the surroundings that the things do not hide; boxes count as balls inside them.
@@ -231,7 +231,7 @@ def _backdrop(rays: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> S
     distance = _distance(*plane, rays, directions)
     points = rays.as_stored(rays.eye + directions * distance[..., None])
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
-    openness = sky_visibility(points, normals, THINGS)
+    openness = sky_visibility(points, normals, OBJECTS)
     if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor in front of it
         away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
         openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))

@@ -14,7 +14,7 @@ from simulations.models.projection import pinhole
 
 
 @dataclass(frozen=True, slots=True)
-class Thing:
+class SceneObject:
     """An object of the still life."""
 
     name: str
@@ -35,10 +35,10 @@ def resting(x: float, y: float, radius: float) -> Sphere:
     return Sphere((x, y, radius), radius)
 
 
-THINGS = (
-    Thing("red ball", resting(-0.30, 1.85, 0.15), (0.62, 0.05, 0.045), gloss=0.35),
-    Thing("blue box", Box((0.52, 2.55, 0.17), (0.34, 0.34, 0.34), 0.5), (0.06, 0.19, 0.46)),
-    Thing(
+OBJECTS = (
+    SceneObject("red ball", resting(-0.30, 1.85, 0.15), (0.62, 0.05, 0.045), gloss=0.35),
+    SceneObject("blue box", Box((0.52, 2.55, 0.17), (0.34, 0.34, 0.34), 0.5), (0.06, 0.19, 0.46)),
+    SceneObject(
         "striped ball",
         resting(-0.10, 3.25, 0.33),
         (0.80, 0.40, 0.04),
@@ -46,9 +46,11 @@ THINGS = (
         stripe_count=9,
         gloss=0.12,
     ),
-    Thing("green ball", resting(-1.15, 4.4, 0.44), (0.10, 0.36, 0.15), gloss=0.15, shininess=25),
-    Thing("pearl", resting(1.15, 5.1, 0.55), (0.74, 0.71, 0.69), gloss=0.4, shininess=90),
-    Thing("plum box", Box((-1.75, 6.5, 0.6), (0.8, 0.7, 1.2), -0.35), (0.33, 0.10, 0.26)),
+    SceneObject(
+        "green ball", resting(-1.15, 4.4, 0.44), (0.10, 0.36, 0.15), gloss=0.15, shininess=25
+    ),
+    SceneObject("pearl", resting(1.15, 5.1, 0.55), (0.74, 0.71, 0.69), gloss=0.4, shininess=90),
+    SceneObject("plum box", Box((-1.75, 6.5, 0.6), (0.8, 0.7, 1.2), -0.35), (0.33, 0.10, 0.26)),
 )
 """The things, nearest first. No two overlap."""
 
@@ -133,6 +135,6 @@ def depth_along_axis(points: Floats) -> Floats:
     return points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
 
 
-def thing_depth(thing: Thing) -> float:
+def object_depth(thing: SceneObject) -> float:
     """Depth of the thing's centre along the optical axis, metres."""
     return float(depth_along_axis(np.asarray(thing.solid.centre)))

@@ -20,7 +20,7 @@ from simulations.models.light.raycasting import Box, Sphere
 from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.pinhole import invert_pose
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
-from simulations.world.things import Thing
+from simulations.world.things import SceneObject
 
 type Surfaces = NDArray[np.uint8]
 type Numbers = NDArray[np.intp]
@@ -55,7 +55,7 @@ def _faces_of(box: Box) -> Faces:
     return Faces(normals, normals @ np.asarray(box.centre) + half)
 
 
-def _numbered() -> Iterator[tuple[Thing, int]]:
+def _numbered() -> Iterator[tuple[SceneObject, int]]:
     """The things with the numbers of their first surfaces: six for a box, then one for a ball."""
     count = len(WALLS)
     for kind, surfaces in ((Box, 6), (Sphere, 1)):

@@ -23,7 +23,7 @@ import numpy as np
 from markdown_it.token import Token
 from numpy.typing import NDArray
 
-from simulations.engine.conditions import shown_value
+from simulations.engine.conditions import readout_value
 from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
 from simulations.engine.frame import power_of_ten
 from site_builder.benchmarks.measurements import SIDES, in_nine_of_ten
@@ -51,7 +51,7 @@ def names_for(context: ParseContext) -> dict[str, object]:
 
     def readout(scene: str, name: str, **settings: object) -> float | str:
         given = {control: str(value) for control, value in settings.items()}
-        return shown_value(context.readouts.text(scene, name, given, bare=True))
+        return readout_value(context.readouts.text(scene, name, given, bare=True))
 
     def measured(ladder: str, tier: str, wanted: str) -> float | None:
         item = context.shared.measurements.find(ladder)[tier]

@@ -13,10 +13,10 @@ const [paths, compared] = [process.argv.slice(2, 6), process.argv.slice(6)];
 const [library, stemmer, ranking, words] = paths.map((path) => pathToFileURL(path).href);
 const { default: MiniSearch } = await import(library);
 const { stemmer: stem } = await import(stemmer);
-const { settings } = await import(ranking);
-const { language } = await import(words);
+const { indexOptions } = await import(ranking);
+const { languageOf } = await import(words);
 
-const ours = settings(language(stem, ...compared));
+const ours = indexOptions(languageOf(stem, ...compared));
 /** Of words seen before: a book says most of them again and again. */
 const known = new Map();
 /** @param {string} word */

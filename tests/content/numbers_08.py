@@ -11,7 +11,7 @@ from simulations.models.lens.thin_lens import circle_of_confusion_mm, principal_
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.depth_of_field.stages import sharpness
-from simulations.world.things import THINGS, WALL_DISTANCE, thing_depth
+from simulations.world.things import OBJECTS, WALL_DISTANCE, object_depth
 
 CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264
@@ -49,7 +49,7 @@ def how_far_the_lens_must_be_stopped_down() -> Phrases:
 
 
 def the_still_life() -> Phrases:
-    depths = [thing_depth(thing) for thing in THINGS]
+    depths = [object_depth(thing) for thing in OBJECTS]
     assert len(depths) == 6
     assert 1.8 < min(depths) < 2
     assert round(max(depths), 1) == 6.5
@@ -58,7 +58,7 @@ def the_still_life() -> Phrases:
 
 
 def softening_of_the_striped_ball() -> Phrases:
-    ball = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
+    ball = object_depth(next(thing for thing in OBJECTS if thing.name == "striped ball"))
     yield f"The striped ball, {ball:.1f} m away, gets softer"
     near, far = (
         float(circle_of_confusion_mm(135, 22, focus, 1000 * ball)) / PIXEL_MM

@@ -16,7 +16,7 @@ from simulations.models.light.raycasting import Sphere
 from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.camera import scene as camera
-from simulations.world.things import THINGS, thing_depth
+from simulations.world.things import OBJECTS, object_depth
 
 CHAPTER = "10-speed-and-accuracy"
 
@@ -25,7 +25,7 @@ def slope_of_the_fixed_point_map() -> Phrases:
     """The factor by which one step reduces an error, |r g'(r) / g(r)|, at worst in the workload."""
     work = LADDER.prepare()
     profile = work.lens.radial
-    ideal = np.hypot(*np.moveaxis(undistort(work.seen, work.lens)[0], -1, 0))
+    ideal = np.hypot(*np.moveaxis(undistort(work.distorted, work.lens)[0], -1, 0))
     scale, slope = radial_profile.scale_and_slope(profile, ideal**2)
     worst = float(np.abs(2 * ideal**2 * slope / scale).max())
     yield f"which for this lens is {worst:.2f} at worst"
@@ -39,13 +39,13 @@ def the_places_of_a_checked_table() -> Phrases:
 
 def nearness_of_the_barrel_to_its_fold() -> Phrases:
     work = inverse_strong.prepare()[inverse_strong.BARREL]
-    share = np.hypot(*work.seen.T).max() / largest_distorted_radius(work.lens)
+    share = np.hypot(*work.distorted.T).max() / largest_distorted_radius(work.lens)
     yield f"to {100 * share:.1f} % of the largest distorted radius there is"
 
 
 def smallest_radius_of_outlines_in_the_book() -> Phrases:
     """The smallest ball, through the widest lens, focused at infinity."""
-    balls = [(it.solid, thing_depth(it)) for it in THINGS if isinstance(it.solid, Sphere)]
+    balls = [(it.solid, object_depth(it)) for it in OBJECTS if isinstance(it.solid, Sphere)]
     widest = camera.SCENE.clamp({"focal_length": 0}).focal_length
     focal_px = widest / PITCH_MM
     smallest = min(focal_px * ball.radius / depth for ball, depth in balls)
@@ -124,5 +124,5 @@ def size_of_wide_discs() -> Phrases:
     assert round(near / narrow) == 6
     wide, before = wide_discs.prepare(), depth_of_field.prepare()
     assert round(wide.lens_radius / before.lens_radius) == 3
-    assert wide.seen.shape == (2 * before.seen.shape[0], 2 * before.seen.shape[1])
+    assert wide.pixels.shape == (2 * before.pixels.shape[0], 2 * before.pixels.shape[1])
     yield "a lens three times as wide, on twice as many pixels each way"

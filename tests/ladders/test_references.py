@@ -180,10 +180,12 @@ def test_homography_shifted_by_five_pixels_errs_by_five_at_any_scale(factor: flo
 def test_undistorted_points_round_trip_and_agree_with_opencv() -> None:
     mild, strong = run_of("inverse-distortion"), run_of("inverse-strong")
     for work, truth in ((mild.work, mild.truth), *zip(strong.work, strong.truth, strict=True)):
-        assert work.focal_px * np.abs(distort(truth, work.lens) - work.seen).max() < 1e-12
+        assert work.focal_px * np.abs(distort(truth, work.lens) - work.distorted).max() < 1e-12
     until = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 100, 1e-16)
     coefficients = np.array([-0.3, 0.1, 0.0, 0.0])
-    oracle = cv2.undistortPoints(mild.work.seen[:, None], np.eye(3), coefficients, criteria=until)
+    oracle = cv2.undistortPoints(
+        mild.work.distorted[:, None], np.eye(3), coefficients, criteria=until
+    )
     assert mild.work.focal_px * np.abs(oracle[:, 0, :] - mild.truth).max() < 1e-9
 
 

@@ -50,7 +50,7 @@ from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic
 from simulations.models.sensor.photon_transfer_fit import BEND, black_of_dark, characterise
 from simulations.models.sensor.photon_transfer_pair import measure_pair
-from simulations.models.sensor.photon_transfer_standard import by_the_standard
+from simulations.models.sensor.photon_transfer_standard import standard_estimates
 from simulations.scenes.single_view.lines import Lines
 from simulations.scenes.single_view.measuring import camera_of, lengths_of
 from site_builder.benchmarks.quoted_numbers import DATA
@@ -98,7 +98,7 @@ def sensor(rng: np.random.Generator, world: dict[str, float], side: int) -> Scor
     stated = black + round(world.get("black_dn", 0.0) * rng.uniform(-1, 1))
     zero = black_of_dark(levels, stated, HIGHEST)
     found = characterise(levels, zero, HIGHEST, bend=BEND)
-    full_well = by_the_standard(levels, zero, range(len(levels)), found).full_well
+    full_well = standard_estimates(levels, zero, range(len(levels)), found).full_well
     estimates = {
         "conversion gain": (found.gain, gain),
         "read noise": (found.read_noise, math.hypot(read, rows)),

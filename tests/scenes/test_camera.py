@@ -187,8 +187,8 @@ def test_dolly_zoom_keeps_only_the_striped_ball_the_same_size(name: str) -> None
 
 
 @pytest.mark.parametrize("k1", [-0.2, 0.2])
-@pytest.mark.parametrize("thing", still_life.THINGS[:5], ids=lambda thing: thing.name)
-def test_press_on_an_object_focuses_on_it(thing: still_life.Thing, k1: float) -> None:
+@pytest.mark.parametrize("thing", still_life.OBJECTS[:5], ids=lambda thing: thing.name)
+def test_press_on_an_object_focuses_on_it(thing: still_life.SceneObject, k1: float) -> None:
     """All but the plum box, whose middle the green ball hides."""
     x, y, z = pinhole.world_to_camera(thing.solid.centre, still_life.WORLD_TO_CAMERA)
     sensor = sensor_mm(35.0) * distort((x / z, y / z), Distortion(k1=k1))

@@ -13,7 +13,7 @@ from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.models.projection.pinhole import intrinsics, look_at, pixel_rays
 from simulations.scenes._turned_camera import view_from
 from simulations.scenes.camera_pose import HEIGHT, WALLS, WIDTH, space, standpoint, to_camera
-from simulations.scenes.gimbal import FOCAL, MIDDLE, pictured, rings_of, towards
+from simulations.scenes.gimbal import FOCAL, MIDDLE, rings_of, towards, view_box_places
 from simulations.scenes.rotation_3d import SCENE as ROTATION
 from simulations.scenes.rotation_3d import orientation, paths, turned_deg
 from simulations.scenes.tiled_floor.scene import SCENE as FLOOR
@@ -33,7 +33,7 @@ def test_pan_turns_a_level_camera_whose_field_ends_at_the_walls(
     ahead = np.array([np.sin(np.radians(pan)), 0.0, np.cos(np.radians(pan))])
     np.testing.assert_allclose(here.pose, look_at(centre, centre + ahead, (0, -1, 0)), atol=1e-12)
     np.testing.assert_allclose(here.centre, centre, atol=1e-12)
-    field = here.seen(here.field)
+    field = here.in_camera_axes(here.field)
     assert (np.abs(field[:, 0]) <= np.tan(np.radians(30)) * field[:, 2] + 1e-9).all()
     assert (here.field >= WALLS.min(axis=0) - 1e-9).all()
     assert (here.field <= WALLS.max(axis=0) + 1e-9).all()
@@ -76,7 +76,7 @@ def test_directions_are_pictured_where_the_turned_camera_sees_them(
     angles: tuple[float, ...], direction: tuple[float, float], expected: tuple[float, float]
 ) -> None:
     C = euler.to_matrix("YXZ", np.radians(angles))
-    place = pictured(C, towards(*direction))
+    place = view_box_places(C, towards(*direction))
     np.testing.assert_allclose(place, MIDDLE + FOCAL * np.array(expected), atol=1e-9)
 
 

@@ -32,7 +32,7 @@ COARSER = [
     for name, scene in SCENES.items()
     for rest in [scene.accuracy.level("")]
     for level in scene.accuracy.levels
-    if level.gives and level != rest
+    if level.stage_values and level != rest
     if not scene.accuracy.ladder or level.parameters["tier"] == rest.parameters["tier"]
     if name != "photon-transfer"  # it draws other cells, of the same noise
 ]

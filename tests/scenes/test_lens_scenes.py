@@ -25,7 +25,7 @@ from simulations.scenes.still_life import (
     floor_row,
 )
 from simulations.scenes.still_life import SCENE as STILL_LIFE
-from simulations.world.things import THINGS, thing_depth
+from simulations.world.things import OBJECTS, object_depth
 
 
 def light_through(**given: object) -> Floats:
@@ -131,7 +131,7 @@ def test_drawn_bundle_is_cut_where_the_corner_loses_light(aperture: float, rim: 
     assert (drawn is not None and drawn[1] == -drawn[0]) == (share == 1)
 
 
-BY_NAME = {thing.name: thing for thing in THINGS}
+BY_NAME = {thing.name: thing for thing in OBJECTS}
 
 
 def test_floor_row_has_the_depth_it_stands_for() -> None:
@@ -144,7 +144,7 @@ def test_floor_row_has_the_depth_it_stands_for() -> None:
 @pytest.mark.parametrize("name", ["red ball", "striped ball", "green ball"])
 def test_press_on_an_object_focuses_on_it(name: str) -> None:
     x, _, top = BY_NAME[name].solid.centre
-    depth = thing_depth(BY_NAME[name])
+    depth = object_depth(BY_NAME[name])
     across = WIDTH / 2 + UNITS_PER_TANGENT * x / depth
     down = floor_row(depth) - UNITS_PER_TANGENT * top / depth
     focus = STILL_LIFE.pull(Settings(), "aim", (across, down))["focus"]
@@ -152,7 +152,7 @@ def test_press_on_an_object_focuses_on_it(name: str) -> None:
 
 
 def test_striped_ball_is_sharpest_in_focus() -> None:
-    depth = thing_depth(BY_NAME["striped ball"])
+    depth = object_depth(BY_NAME["striped ball"])
 
     def contrast(focus: float) -> float:
         picture = pixels_of(frame_of(STILL_LIFE, focus=focus)).astype(float)

@@ -30,7 +30,7 @@ from support.drawn_lines import (
 from simulations.engine.controls import PointLists
 from simulations.engine.photograph import Photograph
 from simulations.models.arrays import Floats
-from simulations.models.calibration.board_shape import shape_of
+from simulations.models.calibration.board_shape import flat_shape
 from simulations.models.calibration.camera import Camera, predicted
 from simulations.models.calibration.left_out import growth
 from simulations.models.calibration.model_choice import as_chosen, fitted
@@ -49,7 +49,7 @@ from simulations.models.sampling.slanted_edge_pixels import pixels_beside
 from simulations.models.sampling.slanted_edge_tone import tone_error
 from simulations.models.sensor.photon_transfer_fit import BEND, Estimate, characterise, electrons
 from simulations.models.sensor.photon_transfer_pair import Level, measure_pair
-from simulations.models.sensor.photon_transfer_standard import by_the_standard
+from simulations.models.sensor.photon_transfer_standard import standard_estimates
 from simulations.scenes.single_view.lines import Lines
 from simulations.scenes.single_view.measuring import camera_of, lengths_of
 
@@ -166,7 +166,7 @@ def full_sensor(rng: np.random.Generator) -> Scores:
     levels = drawn_levels(rng, np.linspace(0.0, rng.uniform(1.05, 1.2) * full, 14), full)
     found = characterise(levels, 0.0, full / gain, 0.7)
     unsure = Estimate(read + 0.1 * read * rng.standard_normal(), 0.1 * read)
-    made = by_the_standard(levels, 0.0, [math.nan] * 14, replace(found, read_noise=unsure))
+    made = standard_estimates(levels, 0.0, [math.nan] * 14, replace(found, read_noise=unsure))
     true, dark = full - 2 * math.sqrt(full), math.hypot(read, gain / math.sqrt(12)) + 0.5
     return scored(
         {"full well": (made.full_well, true), "dynamic range": (made.dynamic_range, true / dark)}
@@ -180,7 +180,7 @@ def shutters(rng: np.random.Generator) -> Scores:
     levels = drawn_levels(rng, light * SENSOR.full_well_e, SENSOR.full_well_e)
     found = characterise(levels, 0.0, SENSOR.highest_dn)
     times = light * np.exp(off * rng.standard_normal(count))
-    linearity = by_the_standard(levels, 0.0, times.tolist(), found).linearity_error
+    linearity = standard_estimates(levels, 0.0, times.tolist(), found).linearity_error
     return scored({"linearity": (linearity, off * math.sqrt(2 / math.pi * (1 - 2 / count)))})
 
 
@@ -345,7 +345,7 @@ def calibrated(rng: np.random.Generator) -> Scores:
 def bent_board(rng: np.random.Generator) -> Scores:
     """The shape of a board that is bent, with squares that are too high."""
     made = boards(0, Distortion(k1=-0.25, k2=0.08))
-    shape = replace(shape_of("bent", made.views(0.0)), values=(0.1, 0.05, 0.0, 0.02))
+    shape = replace(flat_shape("bent", made.views(0.0)), values=(0.1, 0.05, 0.0, 0.02))
     poses = replace(made.poses, shape=shape)
     board = made.views(0.1, int(rng.integers(10**9)))
     moved = predicted(made.camera, poses, board.board) - made.pixels

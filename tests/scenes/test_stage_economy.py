@@ -103,7 +103,7 @@ def walk(scene_id: str, *, every_value: bool) -> Iterator[dict[str, object]]:
 def few_rays(monkeypatch: pytest.MonkeyPatch) -> None:
     """Fewer rays through the lens: their number changes a picture's cost, not its dependencies."""
     through_lens = SCENES["camera"].accuracy.level("aperture-rays")
-    monkeypatch.setitem(through_lens.gives, "lens_rays", 2)
+    monkeypatch.setitem(through_lens.stage_values, "lens_rays", 2)
     monkeypatch.setitem(depth_stages.SPIRALS, "fibonacci-16", fibonacci_disc(2))
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from simulations.engine.conditions import first_true, shown_value
+from simulations.engine.conditions import first_true, readout_value
 from simulations.engine.expressions import ExpressionError, evaluate
 from simulations.engine.frame import Frame, Readout, readout
 from simulations.engine.settings import choice, slider
@@ -80,4 +80,4 @@ def test_names_have_their_values_and_operators_short_circuit() -> None:
 )
 def test_first_condition_that_holds_is_found(conditions: list[str], first: int) -> None:
     assert first_true(conditions, Settings(), FRAME) == first
-    assert math.isnan(float(shown_value("undefined")))
+    assert math.isnan(float(readout_value("undefined")))

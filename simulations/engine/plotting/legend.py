@@ -22,8 +22,8 @@ class Entry:
     style: str
     """CSS classes of the sign; the first, the role, is also the colour of the words."""
     sign: Sign = "line"
-    shown: bool = True
-    """If not shown, its place stays empty, so that the others do not move."""
+    visible: bool = True
+    """If not visible, its place stays empty, so that the others do not move."""
 
 
 def legend(start: Point, entries: Sequence[Entry], style: str = "", room: float = 0.0) -> str:
@@ -36,7 +36,7 @@ def legend(start: Point, entries: Sequence[Entry], style: str = "", room: float 
     spare = (room - sum(widths)) / max(len(entries) - 1, 1)
     parts = []
     for entry, width in zip(entries, widths, strict=True):
-        if entry.shown:
+        if entry.visible:
             role = f"{entry.style.partition(' ')[0]} {style}".strip()
             parts += [
                 _sign(entry, x, y - 4.5),

@@ -83,7 +83,7 @@ class Shape:
                 points[..., axis] += moved[..., index]
         return points
 
-    def by_values(self, board: Floats, by_point: Floats) -> Floats:
+    def coefficient_derivatives(self, board: Floats, by_point: Floats) -> Floats:
         """(P, 2, N, K) derivatives by the coefficients, from those (P, 2, N, 3) by the points of
         corners (P, N, 2)."""
         axes = [axis for axis, _, _ in self.terms]
@@ -99,7 +99,7 @@ class Shape:
 FLAT = Shape()
 
 
-def shape_of(name: str, views: Views) -> Shape:
+def flat_shape(name: str, views: Views) -> Shape:
     """The flat board as a start for one of `SHAPES`."""
     far = views.board[views.found].max(axis=0)
     terms = SHAPES[name]

@@ -32,7 +32,7 @@ from simulations.models.arrays import Floats
 from simulations.models.calibration.camera import Camera, Poses, predicted
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import TILT, UndeterminedError
-from simulations.models.distortion.lens import by_coefficients, linearised
+from simulations.models.distortion.lens import coefficient_derivatives, linearised
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...])
         1,
     )
     if shape.terms and shape.names[0] in free:
-        slopes = shape.by_values(views.board, by_point @ poses.R[:, None])
+        slopes = shape.coefficient_derivatives(views.board, by_point @ poses.R[:, None])
         by_camera = np.concatenate((by_camera, slopes), axis=-1)
     turned = np.stack((X, Y, Z), -1) - poses.t[:, None]  # R P, which the small turn moves
     by_turn = np.cross(turned[:, None], by_point)  # d (ω × RP)·q = ω · (RP × q)
@@ -95,7 +95,7 @@ def _by_camera(
 ) -> Floats:
     """(P, 2, N, m) derivatives by the free parameters of the camera."""
     none, one = np.zeros_like(x), np.ones_like(x)
-    moved = by_coefficients(x, y, camera.lens)  # the distorted point
+    moved = coefficient_derivatives(x, y, camera.lens)  # the distorted point
     columns = {
         "fx": (xd, none),
         "fy": (none, yd),

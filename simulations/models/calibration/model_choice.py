@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from simulations.models.calibration.board_shape import SHAPES, corners_numbered_alike, shape_of
+from simulations.models.calibration.board_shape import SHAPES, corners_numbered_alike, flat_shape
 from simulations.models.calibration.bundle_adjustment import Adjusted, refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.left_out import left_out_px
@@ -77,7 +77,7 @@ def shapes(views: Views, flat: tuple[Trial, ...]) -> tuple[Trial, ...]:
     found = [richest]
     for name in list(SHAPES)[1:] if corners_numbered_alike(views) else ("bent",):
         last = found[-1].fit
-        poses = replace(last.poses, shape=shape_of(name, views))
+        poses = replace(last.poses, shape=flat_shape(name, views))
         try:
             found.append(fitted(views, last.camera, poses, richest.lens))
         except UndeterminedError:

@@ -131,13 +131,13 @@ def _walk_from(seed: int, links: Whole, facing: Whole, seen: Mask) -> dict[int, 
     seen[seed] = True
     while queue:
         corner = queue.popleft()
-        for way, (right, down) in enumerate(steps):
-            edge = (turned[corner] + way) % 4
+        for direction, (right, down) in enumerate(steps):
+            edge = (turned[corner] + direction) % 4
             other = int(links[corner, edge])
             place = (at[corner][0] + right, at[corner][1] + down)
             if other < 0 or seen[other] or place in taken:
                 continue
-            turned[other] = (int(facing[corner, edge]) - way - 2) % 4
+            turned[other] = (int(facing[corner, edge]) - direction - 2) % 4
             at[other] = place
             taken.add(place)
             seen[other] = True

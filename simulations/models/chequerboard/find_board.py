@@ -108,7 +108,7 @@ board behind any lens. One that is bent by less is for the calibration to judge,
 photographs of it."""
 NOISY_CODES = 25.0
 """Standard deviation of the noise from which on it is named as the cause."""
-TOLD = 20
+ENOUGH_FOR_BENDS = 20
 """Corners from which on a bent board is told from a lens."""
 
 OUTLYING, OUTLYING_PX = 5.0, 0.15
@@ -207,7 +207,7 @@ def numbered(lattice: Lattice) -> tuple[Floats, Whole]:
 def _without_outliers(places: Floats, indices: Whole, middle: Floats) -> tuple[Floats, Whole]:
     """Without corners that lie much farther from a plane's than the others, such as those half
     behind a finger."""
-    if len(places) < TOLD:
+    if len(places) < ENOUGH_FOR_BENDS:
         return places, indices
     off = np.hypot(*flat_residuals(places, indices.astype(float), middle).T)
     near = ~(off > max(OUTLYING * quantile_of(off), OUTLYING_PX))
@@ -233,7 +233,7 @@ def _noise_codes(picture: Picture) -> float:
 
 def _uneven_px(places: Floats, indices: Whole, middle: Floats) -> float:
     """RMS distance from the image of a plane through a smooth lens; NaN for few corners."""
-    if len(places) < TOLD:
+    if len(places) < ENOUGH_FOR_BENDS:
         return float("nan")
     residuals = flat_residuals(places, indices.astype(float), middle)
     return root_mean_square(np.hypot(*residuals.T))

@@ -41,7 +41,7 @@ def separable_float32(blocks: Floats) -> Floats:
     return _DCT_32 @ blocks.astype(np.float32) @ _DCT_32.T
 
 
-def by_fourier(blocks: Floats) -> Floats:
+def dct_by_fourier(blocks: Floats) -> Floats:
     """Rows, then columns, each as the Fourier transform of its eight samples reordered.
 
     Even samples forwards, then odd ones backwards; a turn by a sixteenth of the frequency
@@ -78,7 +78,7 @@ TRANSFORMS: Mapping[str, Transform] = MappingProxyType(
         "separable": block_dct,
         "direct-32": direct_float32,
         "direct": direct,
-        "fourier": by_fourier,
+        "fourier": dct_by_fourier,
     }
 )
 """The transforms by their names in the ladder `block-dct`."""

@@ -56,7 +56,7 @@ def linearised(x: Floats, y: Floats, lens: Lens) -> Linearisation:
     return x * g, y * g, g + 2.0 * x * x * slope, 2.0 * x * y * slope, g + 2.0 * y * y * slope
 
 
-def by_coefficients(x: Floats, y: Floats, lens: Lens) -> dict[str, tuple[Floats, Floats]]:
+def coefficient_derivatives(x: Floats, y: Floats, lens: Lens) -> dict[str, tuple[Floats, Floats]]:
     """The derivatives of images by each coefficient, across and down."""
     r2 = x * x + y * y
     if isinstance(lens, Fisheye):

@@ -59,13 +59,13 @@ def from_quads(planes: Floats, shape: tuple[int, int], pattern: str) -> Floats:
     return np.ascontiguousarray(inner)
 
 
-def left(plane: Floats) -> Floats:
+def left_of(plane: Floats) -> Floats:
     """At each quad, the value of the quad to its left. Values that wrap around end in the
     margin."""
     return np.roll(plane, 1, axis=1)
 
 
-def right(plane: Floats) -> Floats:
+def right_of(plane: Floats) -> Floats:
     """At each quad, the value of the quad to its right."""
     return np.roll(plane, -1, axis=1)
 

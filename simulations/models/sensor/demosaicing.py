@@ -25,8 +25,8 @@ from simulations.models.sensor.bayer_quads import (
     above,
     below,
     from_quads,
-    left,
-    right,
+    left_of,
+    right_of,
     to_quads,
 )
 from simulations.models.sensor.menon import menon, menon_unrefined
@@ -35,23 +35,23 @@ from simulations.models.sensor.menon import menon, menon_unrefined
 def malvar(quads: Quads) -> Floats:
     """Five by five filters, one per missing colour: (3, 2, 2, h, w). May overshoot the range."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
-    gb_right, gr_below = right(gb), below(gr)
+    gb_right, gr_below = right_of(gb), below(gr)
     # Greens next to, and at the corners of, each green pixel.
     corners_gr = (gb + gb_right) + (above(gb) + above(gb_right))
-    corners_gb = (gr + gr_below) + (left(gr) + left(gr_below))
-    aside_gr, upright_gr = left(gr) + right(gr), above(gr) + gr_below
-    aside_gb, upright_gb = left(gb) + gb_right, above(gb) + below(gb)
+    corners_gb = (gr + gr_below) + (left_of(gr) + left_of(gr_below))
+    aside_gr, upright_gr = left_of(gr) + right_of(gr), above(gr) + gr_below
+    aside_gb, upright_gb = left_of(gb) + gb_right, above(gb) + below(gb)
 
     # Each is a mean plus a difference that is exactly 0 where the picture is flat.
     r_excess, b_excess = (4 * plane - _cross(plane) for plane in (r, b))
     gr_excess, gb_excess = 4 * gr - corners_gr, 4 * gb - corners_gb
-    green_at_red = ((left(gr) + gr) + (above(gb) + gb)) / 4 + r_excess / 8
+    green_at_red = ((left_of(gr) + gr) + (above(gb) + gb)) / 4 + r_excess / 8
     green_at_blue = ((gb + gb_right) + (gr + gr_below)) / 4 + b_excess / 8
     along_row_gr = (gr_excess + (gr + upright_gr / 2 - aside_gr)) / 8
     along_row_gb = (gb_excess + (gb + upright_gb / 2 - aside_gb)) / 8
     along_column_gr = (gr_excess + (gr + aside_gr / 2 - upright_gr)) / 8
     along_column_gb = (gb_excess + (gb + aside_gb / 2 - upright_gb)) / 8
-    reds, blues = r + right(r), left(b) + b
+    reds, blues = r + right_of(r), left_of(b) + b
     red_at_gr, red_at_gb = reds / 2 + along_row_gr, (r + below(r)) / 2 + along_column_gb
     blue_at_gr, blue_at_gb = (above(b) + b) / 2 + along_column_gr, blues / 2 + along_row_gb
     red_at_blue = (reds + below(reds)) / 4 + b_excess * (1.5 / 8)
@@ -67,7 +67,7 @@ def malvar(quads: Quads) -> Floats:
 
 def _cross(plane: Floats) -> Floats:
     """Sum of the four nearest pixels of the same colour, two pixels away."""
-    return (left(plane) + right(plane)) + (above(plane) + below(plane))
+    return (left_of(plane) + right_of(plane)) + (above(plane) + below(plane))
 
 
 __all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic"]
@@ -89,12 +89,12 @@ def nearest(quads: Quads) -> Floats:
 def bilinear(quads: Quads) -> Floats:
     """Average the nearest two or four samples of the missing colour: (3, 2, 2, h, w)."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
-    red_at_gr, red_at_gb = (r + right(r)) / 2, (r + below(r)) / 2
+    red_at_gr, red_at_gb = (r + right_of(r)) / 2, (r + below(r)) / 2
     red_at_blue = (red_at_gr + below(red_at_gr)) / 2
-    green_at_red = (left(gr) + gr + above(gb) + gb) / 4
-    green_at_blue = (gb + right(gb) + gr + below(gr)) / 4
-    blue_at_gr, blue_at_gb = (above(b) + b) / 2, (left(b) + b) / 2
-    blue_at_red = (left(blue_at_gr) + blue_at_gr) / 2
+    green_at_red = (left_of(gr) + gr + above(gb) + gb) / 4
+    green_at_blue = (gb + right_of(gb) + gr + below(gr)) / 4
+    blue_at_gr, blue_at_gb = (above(b) + b) / 2, (left_of(b) + b) / 2
+    blue_at_red = (left_of(blue_at_gr) + blue_at_gr) / 2
     return np.array(
         [
             [[r, red_at_gr], [red_at_gb, red_at_blue]],

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats, Mask
-from simulations.models.sensor.bayer_quads import Quads, above, below, left, right
+from simulations.models.sensor.bayer_quads import Quads, above, below, left_of, right_of
 
 type Step = Callable[[Floats], Floats]
 
@@ -59,8 +59,8 @@ def _estimate(quads: Quads) -> Estimate:
 
     r_gr, r_gb, b_gr, b_gb = _at_greens(r - g_r, b - g_b, gr, gb)
     at_gr, at_gb = r_gr - b_gr, r_gb - b_gb
-    r_b = b + np.where(by_row_b, at_gb + right(at_gb), at_gr + below(at_gr)) / 2
-    b_r = r - np.where(by_row_r, at_gr + left(at_gr), at_gb + above(at_gb)) / 2
+    r_b = b + np.where(by_row_b, at_gb + right_of(at_gb), at_gr + below(at_gr)) / 2
+    b_r = r - np.where(by_row_r, at_gr + left_of(at_gr), at_gb + above(at_gb)) / 2
     return Estimate(g_r, g_b, r_gr, r_gb, b_gr, b_gb, r_b, b_r, by_row_r, by_row_b)
 
 
@@ -68,13 +68,13 @@ def _refined(quads: Quads, first: Estimate) -> Estimate:
     """Smooth the differences from green, at the pixels where green was estimated ..."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     by_row_r, by_row_b = first.by_row_r, first.by_row_b
-    g_r = r - _mean_of_3(r - first.g_r, first.r_gr - gr, left, first.r_gb - gb, above, by_row_r)
-    g_b = b - _mean_of_3(b - first.g_b, first.b_gb - gb, right, first.b_gr - gr, below, by_row_b)
+    g_r = r - _mean_of_3(r - first.g_r, first.r_gr - gr, left_of, first.r_gb - gb, above, by_row_r)
+    g_b = b - _mean_of_3(b - first.g_b, first.b_gb - gb, right_of, first.b_gr - gr, below, by_row_b)
     # ... which moves red and blue at the green pixels, and then at one another's.
     r_gr, r_gb, b_gr, b_gb = _at_greens(r - g_r, b - g_b, gr, gb)
     at_gr, at_gb = r_gr - b_gr, r_gb - b_gb
-    r_b = b + _mean_of_3(first.r_b - b, at_gb, right, at_gr, below, by_row_b)
-    b_r = r - _mean_of_3(r - first.b_r, at_gr, left, at_gb, above, by_row_r)
+    r_b = b + _mean_of_3(first.r_b - b, at_gb, right_of, at_gr, below, by_row_b)
+    b_r = r - _mean_of_3(r - first.b_r, at_gr, left_of, at_gb, above, by_row_r)
     return Estimate(g_r, g_b, r_gr, r_gb, b_gr, b_gb, r_b, b_r, by_row_r, by_row_b)
 
 
@@ -88,8 +88,8 @@ def _planes(quads: Quads, e: Estimate) -> Floats:
 def _green_along_rows(quads: Quads) -> tuple[Floats, Floats]:
     """Green at the red and at the blue pixels from their rows, corrected by the curvature there."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
-    g_r = (left(gr) + gr) / 2 + (2 * r - left(r) - right(r)) / 4
-    g_b = (gb + right(gb)) / 2 + (2 * b - left(b) - right(b)) / 4
+    g_r = (left_of(gr) + gr) / 2 + (2 * r - left_of(r) - right_of(r)) / 4
+    g_b = (gb + right_of(gb)) / 2 + (2 * b - left_of(b) - right_of(b)) / 4
     return g_r, g_b
 
 
@@ -109,12 +109,14 @@ def _calmer_along_rows(
     The variation is summed over a window of five by five pixels; the pixel's own row (or column)
     counts threefold. A tie goes to the rows.
     """
-    rows_r, rows_b = (_step(c - g, right) for c, g in zip((r, b), along_rows, strict=True))
+    rows_r, rows_b = (_step(c - g, right_of) for c, g in zip((r, b), along_rows, strict=True))
     columns_r, columns_b = (_step(c - g, below) for c, g in zip((r, b), along_columns, strict=True))
-    in_rows_r = _window(rows_r, left, above, below) + left(rows_b + above(rows_b))
-    in_rows_b = _window(rows_b, left, above, below) + rows_r + below(rows_r)
-    in_columns_r = _window(columns_r, above, left, right) + above(columns_b + left(columns_b))
-    in_columns_b = _window(columns_b, above, left, right) + columns_r + right(columns_r)
+    in_rows_r = _window(rows_r, left_of, above, below) + left_of(rows_b + above(rows_b))
+    in_rows_b = _window(rows_b, left_of, above, below) + rows_r + below(rows_r)
+    in_columns_r = _window(columns_r, above, left_of, right_of) + above(
+        columns_b + left_of(columns_b)
+    )
+    in_columns_b = _window(columns_b, above, left_of, right_of) + columns_r + right_of(columns_r)
     return in_columns_r >= in_rows_r, in_columns_b >= in_rows_b
 
 
@@ -134,10 +136,10 @@ def _at_greens(
     differences."""
     d_r, d_b = red_less_green, blue_less_green
     return (
-        gr + (d_r + right(d_r)) / 2,
+        gr + (d_r + right_of(d_r)) / 2,
         gb + (d_r + below(d_r)) / 2,
         gr + (above(d_b) + d_b) / 2,
-        gb + (left(d_b) + d_b) / 2,
+        gb + (left_of(d_b) + d_b) / 2,
     )
 
 

@@ -38,7 +38,7 @@ class Standard:
     """Mean size of the deviations from a line through the exposures, as a share of it."""
 
 
-def by_the_standard(
+def standard_estimates(
     levels: Sequence[Level], black_dn: float, exposures: Sequence[float], sensor: SensorEstimate
 ) -> Standard:
     """The numbers of a sensor that `characterise` found in the levels.

@@ -178,8 +178,8 @@ def row_legend(filtered: bool, aliased: bool, name: str = "wave") -> str:
     entries = (
         Entry(name, "world"),
         Entry("samples", "image", "dot"),
-        Entry("alias", "error dashed", shown=aliased),
-        Entry(f"filtered {name}", "light", shown=filtered),
+        Entry("alias", "error dashed", visible=aliased),
+        Entry(f"filtered {name}", "light", visible=filtered),
     )
     return legend((ROW.x.start, 22.0), entries, room=ROW.x.end - ROW.x.start)
 

@@ -26,7 +26,7 @@ def board_drawing(found: Measured, tried: tuple[Trial, ...], side_mm: float) -> 
     scale = ROOM[0] / (columns - 1 + LEAN * (rows - 1))
     relief = scale * found.relief
     times = _round(ROOM[1] / max(float(np.ptp(relief)), LEAST))
-    flat, bent = (_seen(height, scale) for height in (0.0 * relief, times * relief))
+    flat, bent = (_panel_places(height, scale) for height in (0.0 * relief, times * relief))
     rim = [*flat[0], *flat[:, -1][1:], *flat[-1][::-1][1:], *flat[:, 0][::-1][1:]]
     words = board_words(found, side_mm)
     if found.bent:
@@ -48,17 +48,19 @@ def board_words(found: Measured, side_mm: float) -> list[str]:
     or in shares of a square's width while that is not given (0)."""
     unit, scale = ("mm", side_mm) if side_mm else ("% of a square’s width", PER_CENT)
     height = value_with_error(scale * found.height, scale * found.height_error)
-    told = found.height > SURE * found.height_error
+    is_certain = found.height > SURE * found.height_error
     flat = f"Flat to {format_magnitude(scale * found.height, LEAST)} {unit}"
     down = value_with_error((side_mm or 1.0) * found.aspect, (side_mm or 1.0) * found.aspect_error)
     squares = f"of {side_mm:g} mm × {down} mm" if side_mm else f"{down} times as high as wide"
     return [
-        (f"Out of flat by {height} {unit}" if told else flat) if found.bent else "Taken for flat",
+        (f"Out of flat by {height} {unit}" if is_certain else flat)
+        if found.bent
+        else "Taken for flat",
         f"Squares {squares}" if found.bent else "",
     ]
 
 
-def _seen(height: Floats, scale: float) -> Floats:
+def _panel_places(height: Floats, scale: float) -> Floats:
     """(R, C, 2) places in the panel of corners with heights (R, C) in the panel's units."""
     v, u = np.mgrid[: height.shape[0], : height.shape[1]].astype(float)
     x, y = u + LEAN * (v.max() - v), FLATTENED * v

@@ -16,23 +16,25 @@ FRAME = (44.0, 33.0)
 """Largest sides of a frame."""
 
 
-def contact_sheet(given: Boards, each: Floats, used: list[bool], without: int, shown: int) -> str:
+def contact_sheet(
+    given: Boards, errors_px: Floats, used: list[bool], without: int, shown: int
+) -> str:
     """The photographs with their errors (P,) in px; that which is shown has a bold frame, and the
     one left out is crossed."""
     width, height = given.size
     scale = min(FRAME[0] / width, FRAME[1] / height)
     parts = [label((LEFT + HEAD, HEAD + 4.0), "Press a photograph to leave it out", "small")]
-    for index, (error, kept) in enumerate(zip(each, used, strict=True)):
+    for index, (error, is_used) in enumerate(zip(errors_px, used, strict=True)):
         x, y = middle_of(index + 1)
         corner = (x - 0.5 * scale * width, y - 0.5 * scale * height)
         outline = np.array(corner) + scale * (_outline(*given.views.of(index)) + 0.5)
         frame = "image bold" if index == shown else "muted thin"
         parts.append(rectangle(corner, scale * width, scale * height, frame))
-        parts.append(path([[*outline, outline[0]]], "world" if kept else "muted dashed"))
+        parts.append(path([[*outline, outline[0]]], "world" if is_used else "muted dashed"))
         if index + 1 == without:
             parts.append(line((x - 12.0, y + 9.0), (x + 12.0, y - 9.0), "error"))
         words = format_number(float(error), 3 if error < 1 else 1) if np.isfinite(error) else "–"
-        parts.append(label((x, y + 28.0), words, "small" if kept else "muted small", "middle"))
+        parts.append(label((x, y + 28.0), words, "small" if is_used else "muted small", "middle"))
     return "".join(parts)
 
 

@@ -202,7 +202,7 @@ def _posed(view: Views, trial: Trial) -> Adjusted | None:
     return None
 
 
-def _each(given: Boards, result: Result | None, detail: str) -> Floats | None:
+def _photograph_errors(given: Boards, result: Result | None, detail: str) -> Floats | None:
     """(P,) the error of every photograph, used or not, with the pose that fits it best; NaN if
     there is none."""
     if result is None or detail != SHEET:
@@ -246,7 +246,7 @@ STAGES = (
     Stage("found", _found, ("boards", "looked")),
     Stage("errors", _errors, ("found", "result")),
     Stage("map", _map, ("trials", "result")),
-    Stage("each", _each, ("boards", "result")),
+    Stage("each", _photograph_errors, ("boards", "result")),
     Stage("codes", _codes, ("looked",)),
     Stage("developed", _developed, ("codes", "boards", "result"), neutral=_not_developed),
 )

@@ -28,10 +28,10 @@ from simulations.scenes._still_life_camera import (
     largest_blur_px,
     principal_mm,
 )
-from simulations.world.things import THINGS, thing_depth
+from simulations.world.things import OBJECTS, object_depth
 
 STRONGEST_BARREL = -0.4  # the lowest k₁ of the slider
-SUBJECT_M = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
+SUBJECT_M = object_depth(next(thing for thing in OBJECTS if thing.name == "striped ball"))
 """Depth before the step of the thing that keeps its size."""
 MARGINS_PX = (4, 8, 16, 24, 32, 48, 72)
 """Widths of a margin: few, so that most changes of k₁ do not change the straight picture. The least

@@ -36,7 +36,7 @@ from simulations.scenes.camera.stages import (
     shutter_s,
 )
 from simulations.world.depth import ray_depth
-from simulations.world.things import THINGS, WALL_DISTANCE, Thing
+from simulations.world.things import OBJECTS, WALL_DISTANCE, SceneObject
 
 SIZE = WIDTH, HEIGHT = 400.0, 267.0  # of both panels: the 3 : 2 of the sensor
 UNITS_PER_METRE = 27.0
@@ -99,7 +99,7 @@ def plan(
     yield from in_focus(settings, half_tan, near, far)
     yield drawing.line((8.0, wall), (WIDTH - 8.0, wall), "world bold")
     yield drawing.text((10, wall - 7), f"wall, {WALL_DISTANCE + back:.3g} m", "world small")
-    yield from (swatch(thing, back) for thing in THINGS)
+    yield from (swatch(thing, back) for thing in OBJECTS)
     # The lamp's direction as an arrow to the middle of the still life, on a circle around it.
     start = lamp_at(settings)
     yield drawing.arrow(start, lamp_at(settings, None, 2.3), "light bold")
@@ -132,7 +132,7 @@ def in_focus(settings: Settings, half_tan: float, near: float, far: float) -> It
     yield drawing.dot(mark, "ray")
 
 
-def swatch(thing: Thing, back: float) -> str:
+def swatch(thing: SceneObject, back: float) -> str:
     """The thing in its own colour, which distinguishes it from the others."""
     match thing.solid:
         case Sphere(centre=(x, y, _), radius=radius):

@@ -65,8 +65,8 @@ def level(
 ) -> Level:
     """``reduction``: pixels per ray each way; ``bent_rays``: whether the rays are bent, or the
     finished picture; ``lens_rays``: through the lens's opening, 0 for a blur instead."""
-    gives = {"reduction": reduction, "bent_rays": bent_rays, "lens_rays": lens_rays}
-    return Level(name, label, gives)
+    stage_values = {"reduction": reduction, "bent_rays": bent_rays, "lens_rays": lens_rays}
+    return Level(name, label, stage_values)
 
 
 BOWED = "bowed"
@@ -135,7 +135,7 @@ def no_trim(k1: float, bent_rays: bool) -> str:
     return "" if k1 == 0 else "the lens has fetched what the sensor holds"
 
 
-def own_rays(reduction: int) -> str:
+def no_enlargement(reduction: int) -> str:
     return "each pixel has its own ray" if reduction == 1 else ""
 
 
@@ -248,7 +248,7 @@ STAGES = (
     Stage("defocus", defocus, ("light",), neutral=in_focus),
     Stage("overlay", overlay, ("defocus",)),
     Stage("aperture rays", aperture_rays, ("bent rays",), neutral=no_rays, passes_on="overlay"),
-    Stage("enlargement", enlarge, ("aperture rays",), neutral=own_rays),
+    Stage("enlargement", enlarge, ("aperture rays",), neutral=no_enlargement),
     Stage("lens map", lens.lens_map, ("pinhole rays",), neutral=no_warp),
     Stage("lens distortion", lens.distort_picture, ("enlargement", "lens map"), neutral=no_warp),
     Stage("trimming", lens.trim, ("lens distortion",), neutral=no_trim),

@@ -46,22 +46,22 @@ from simulations.scenes._still_life_camera import (
     through_lens,
 )
 from simulations.world.layers import LitScene
-from simulations.world.things import THINGS, WALL_DISTANCE, thing_depth
+from simulations.world.things import OBJECTS, WALL_DISTANCE, object_depth
 
 WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
-NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
+NEAR_M, FAR_M = object_depth(OBJECTS[0]), WALL_DISTANCE
 """The red ball in front and the wall behind: the two ends of the still life."""
 FINE = 0.5  # pixels per ray each way: the picture is shown wider than the sensor has pixels
 LEVELS = (
-    Level("pinhole", gives={"reduction": FINE}),
-    Level("discs", gives={"reduction": FINE}),
+    Level("pinhole", stage_values={"reduction": FINE}),
+    Level("discs", stage_values={"reduction": FINE}),
     Level("coarse", "Layers, a ray for four pixels", {"tier": "layered", "reduction": 2.0}),
     Level(SCALED, SCALED_LABEL, {"tier": "layered", "reduction": 1.0}),
     Level("quick", "Layers, a ray a pixel", {"tier": "layered", "reduction": 1.0}),
-    Level("layered", gives={"reduction": FINE}),
-    Level("binned", gives={"reduction": FINE}),
-    Level("gather", gives={"reduction": 1.0}),
-    Level("fibonacci-16", gives={"reduction": 1.0}),
+    Level("layered", stage_values={"reduction": FINE}),
+    Level("binned", stage_values={"reduction": FINE}),
+    Level("gather", stage_values={"reduction": 1.0}),
+    Level("fibonacci-16", stage_values={"reduction": 1.0}),
 )
 """Rungs of the ladder `depth-of-field`, without its random rays and without 64 rays, which would
 take seconds, and cheaper ways to blur each layer by itself."""

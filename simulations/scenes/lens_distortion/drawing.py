@@ -44,10 +44,12 @@ def overlays(k1: float, k2: float) -> dict[str, str]:
     corrected picture."""
     lens = Distortion(k1=k1, k2=k2)
     named = ((INNER, "inner"), (OUTER, "outer"))
-    moved = [_moved(*point, lens) for point in named if math.hypot(*point[0]) < fold_radius(lens)]
+    shifts = [
+        _shift_mark(*point, lens) for point in named if math.hypot(*point[0]) < fold_radius(lens)
+    ]
     return {
         "grid": _grid(lens),
-        "picture": "".join((_limits(lens, fold=False, image=True), *moved)),
+        "picture": "".join((_limits(lens, fold=False, image=True), *shifts)),
         "corrected": _limits(lens, fold=True, image=False),
         "profile": _profile(lens),
     }
@@ -122,7 +124,7 @@ def _grown(mask: Mask) -> Mask:
     return result
 
 
-def _moved(ideal: tuple[float, float], name: str, lens: Distortion) -> str:
+def _shift_mark(ideal: tuple[float, float], name: str, lens: Distortion) -> str:
     """The shift of a marked point from its pinhole image, as far as the border; its name
     on its left and off its radius."""
     ends = to_view(ideal), handle_place(ideal, lens)

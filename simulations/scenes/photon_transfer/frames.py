@@ -60,7 +60,7 @@ SAMPLED = Sensor(
 """The sensor of the photographs to try."""
 SIMULATED = "simulated"  # name of the only plane of the simulated sensor, which sees no colour
 
-KEPT_SIDE = 256  # of the square in the middle, in px; a smaller photograph is kept whole
+STORED_SIDE = 256  # of the square in the middle, in px; a smaller photograph is kept whole
 SMALLEST = 64
 WORTH_SAYING_DN = 0.2  # difference of two black levels
 DARK = 0.01 * HIGHEST
@@ -142,8 +142,8 @@ def read_cells(mosaic: Mosaic, facts: Facts) -> Mapping[str, Any]:
 
 def middle_of[T: np.generic](codes: NDArray[T]) -> NDArray[T]:
     """The middle, from an even row and column on, so that cells of a mosaic keep their names."""
-    top, left = (max(side - KEPT_SIDE, 0) // 4 * 2 for side in codes.shape[:2])
-    return np.ascontiguousarray(codes[top : top + KEPT_SIDE, left : left + KEPT_SIDE])
+    top, left = (max(side - STORED_SIDE, 0) // 4 * 2 for side in codes.shape[:2])
+    return np.ascontiguousarray(codes[top : top + STORED_SIDE, left : left + STORED_SIDE])
 
 
 def facts_of(middle: Codes, mean_code: float, facts: Facts) -> dict[str, Any]:
@@ -158,7 +158,7 @@ def facts_of(middle: Codes, mean_code: float, facts: Facts) -> dict[str, Any]:
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
+class StoredMiddle:
     """The middle of a photograph, as codes again."""
 
     kind: Literal["colour", "grey", "raw"]
@@ -170,22 +170,24 @@ class Kept:
     """Code without light of each plane, if the file gives it."""
 
 
-def kept_of(reading: Reading) -> Kept:
+def stored_middle(reading: Reading) -> StoredMiddle:
     data = reading.data
-    shape, kept = tuple(map(int, data["shape"])), base64.b64decode(data["codes"])
+    shape, stored = tuple(map(int, data["shape"])), base64.b64decode(data["codes"])
     if "cells" not in data:
-        codes = np.frombuffer(kept, np.uint8).reshape(shape)
-        return Kept("grey" if files.is_grey(codes) else "colour", files.planes_of(codes))
+        codes = np.frombuffer(stored, np.uint8).reshape(shape)
+        return StoredMiddle("grey" if files.is_grey(codes) else "colour", files.planes_of(codes))
     about = data["cells"]
-    cells = files.cells_of(np.frombuffer(kept, np.uint16).reshape(shape), about["colours"])
+    cells = files.cells_of(np.frombuffer(stored, np.uint16).reshape(shape), about["colours"])
     black = dict(zip(cells, about["black"], strict=True))
-    return Kept("raw", cells, int(about["white"]), black)
+    return StoredMiddle("raw", cells, int(about["white"]), black)
 
 
-def taken_of(reading: Reading, kept: Kept) -> files.Taken:
+def taken_of(reading: Reading, stored: StoredMiddle) -> files.Taken:
     """Kind and size of the file are of the camera as well: only what is alike makes a pair."""
     data = reading.data
-    camera = f"{data['camera']} {data['shape']} {kept.kind} {list(kept.planes)} {kept.highest}"
+    camera = (
+        f"{data['camera']} {data['shape']} {stored.kind} {list(stored.planes)} {stored.highest}"
+    )
     exposure = math.nan if data["exposure_s"] is None else float(data["exposure_s"])
     return files.Taken(float(data["mean_code"]), camera, exposure)
 
@@ -284,7 +286,7 @@ def read_out(electrons: tuple[Floats, ...], cells: Cells, read_noise: float) -> 
 
 def sample(percent: int, which: int) -> Codes:
     """(256, 256, 1) one of two photographs by `SAMPLED`, of light in % of its full well."""
-    cells = unequal_cells((KEPT_SIDE, KEPT_SIDE), PRNU, 0.0, np.random.default_rng(0))
+    cells = unequal_cells((STORED_SIDE, STORED_SIDE), PRNU, 0.0, np.random.default_rng(0))
     rng = np.random.default_rng((3, percent))
     counted = counted_pair(0.01 * percent * SAMPLED.full_well_e, cells, SAMPLED, rng)
     return read_pair(counted, cells, SAMPLED, rng)[which, ..., None].astype(np.uint8)
@@ -296,11 +298,11 @@ def pair_up(codes: tuple[Pair, ...], readings: Readings) -> Frames:
         names = tuple((f"{k}a", f"{k}b") for k in range(len(codes)))
         highest, exposures = sensor_of(0.0).highest_dn, tuple(map(float, range(len(codes))))
         return Frames({SIMULATED: codes}, names, (), 0, highest, None, {}, exposures)
-    kept = [kept_of(reading) for reading in readings]
-    taken = [taken_of(*one) for one in zip(readings, kept, strict=True)]
+    stored = [stored_middle(reading) for reading in readings]
+    taken = [taken_of(*one) for one in zip(readings, stored, strict=True)]
     pairs = files.pair_up(taken)
-    chosen = [(kept[i], kept[j]) for i, j in pairs]
-    first = chosen[0][0] if chosen else kept[0]
+    chosen = [(stored[i], stored[j]) for i, j in pairs]
+    first = chosen[0][0] if chosen else stored[0]
     return Frames(
         planes={
             plane: tuple(np.stack([one.planes[plane] for one in pair]) for pair in chosen)
@@ -335,8 +337,10 @@ def measure(frames: Frames, plane: str, pairs: tuple[Pair, ...]) -> Measured:
         dark = not math.isnan(black)
         black = black if dark else stated
         if abs(black - stated) >= WORTH_SAYING_DN:
-            found, said = (format_number(dn, 1) for dn in (black, stated))
-            note = f"Black is {found} DN by the dark pair, which counts, and {said} by the file. "
+            found, stated_dn = (format_number(dn, 1) for dn in (black, stated))
+            note = (
+                f"Black is {found} DN by the dark pair, which counts, and {stated_dn} by the file. "
+            )
     elif frames.response is None and levels:
         black = min(level.mean_dn for level in levels)
     if black >= frames.highest:  # all white

@@ -10,7 +10,7 @@ from simulations.engine.export import Export
 from simulations.engine.frame import Readout, format_number, readout, value_with_error
 from simulations.engine.stages import Outputs
 from simulations.models.sensor.photon_transfer_fit import Estimate, SensorEstimate
-from simulations.models.sensor.photon_transfer_standard import by_the_standard
+from simulations.models.sensor.photon_transfer_standard import standard_estimates
 from simulations.scenes.photon_transfer.frames import (
     GAIN_E_PER_DN,
     Frames,
@@ -57,7 +57,7 @@ def estimates_of(sensor: SensorEstimate) -> Mapping[str, Estimate]:
 def standard_of(frames: Frames, outputs: Outputs, plane: str) -> Mapping[str, Estimate]:
     """The numbers of the standard."""
     levels: Measured = outputs["levels"][plane]
-    found = by_the_standard(
+    found = standard_estimates(
         levels.levels, levels.black_dn, frames.exposures, outputs["sensor"][plane]
     )
     return {

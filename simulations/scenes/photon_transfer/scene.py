@@ -83,7 +83,7 @@ def transfer(
         yield text((LEFT + 10, TOP + 16 + 19 * number), words, "error small ground")
     entries = (
         Entry(f"pair ± {BARS:.0f} errors", "image", "dot"),
-        Entry("fitted line", style, shown=estimate.noise is not None),
+        Entry("fitted line", style, visible=estimate.noise is not None),
         Entry("end of the fit", "camera dashed"),
     )
     yield legend((LEFT, HEIGHT - 8), entries, "small", RIGHT - LEFT)

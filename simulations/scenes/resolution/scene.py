@@ -139,7 +139,7 @@ def curves(settings: Settings, lens: Lens) -> Iterator[str]:
         Entry("pixel", "camera"),
         Entry("together", "image bold"),
         Entry("false", "error bold"),
-        Entry("plate", "muted", shown=settings.plate),
+        Entry("plate", "muted", visible=settings.plate),
     ]
     yield legend((PLOT.x.start, 282), entries, "small", PLOT.x.end - PLOT.x.start)
 

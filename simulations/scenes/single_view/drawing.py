@@ -65,7 +65,7 @@ class Field:
         return y / self.scale + self.top
 
 
-def whole(size: tuple[int, int]) -> Field:
+def picture_field(size: tuple[int, int]) -> Field:
     """The picture as large as the lead panel allows, in its middle."""
     return _holding(size, np.zeros(2), np.array(size, float))
 
@@ -116,7 +116,7 @@ def bent(ends: Floats, lens: PictureLens) -> Floats:
 def over_picture(settings: Settings, lines: Lines, found: Found, lengths: Lengths) -> str:
     """The lines of the chosen list, bold, and what was measured; the horizon. The other lines
     only if they are asked for."""
-    field, chosen = whole(lines.size), list(LISTS).index(settings.direction)
+    field, chosen = picture_field(lines.size), list(LISTS).index(settings.direction)
     lens = found.view.lens if found.view else IDEAL
     parts = [_horizon(field, found.view, settings.plane, "camera dashed")]
     shown = range(len(STYLES)) if settings.all_lines else {FLOOR, HEIGHTS, chosen}

@@ -27,7 +27,7 @@ MOST = 6  # lines of a list
 PLANES = {"floor": "Floor", "along": "Wall along the room", "across": "Wall across it"}
 CALIBRATIONS = {"same": "If files name the same camera", "any": "Yes", "none": "No"}
 TAKES = 20
-OWN = "own"  # name of the reader's photograph among the pictures
+READER_PICTURE = "own"  # name of the reader's photograph among the pictures
 FIRST_SEED = 14  # of which the first draw is an ordinary one
 
 SIZE = (800, 600)  # width and height of the book's pictures in pixels
@@ -180,7 +180,7 @@ def current(
 ) -> PointLists:
     """The points of the settings if they lie in this picture; else the book's, or none in the
     reader's photograph."""
-    found, name = PointLists.from_text(lines), OWN if photograph else picture
+    found, name = PointLists.from_text(lines), READER_PICTURE if photograph else picture
     if lines and found.picture in (name, ""):
         missing = len(LISTS) - len(found.lists)
         return PointLists(name, found.touched, (*found.lists, *((),) * missing))

@@ -21,7 +21,7 @@ from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.projection.single_view import fit_view
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.single_view import drawing, files, measuring
-from simulations.scenes.single_view.drawing import HEIGHT, WIDTH, Field, whole
+from simulations.scenes.single_view.drawing import HEIGHT, WIDTH, Field, picture_field
 from simulations.scenes.single_view.lines import (
     FOCAL_PX,
     LISTS,
@@ -144,7 +144,7 @@ def points_of(settings: Settings, photograph: Photograph | None) -> PointLists:
 def end_at(end: int, settings: Settings, outputs: Outputs) -> Point | None:
     lines: Lines = outputs["lines"]
     ends = lines.ends[number_of(settings)].reshape(-1, 2)
-    return whole(lines.size).place(ends[end]) if end < len(ends) else None
+    return picture_field(lines.size).place(ends[end]) if end < len(ends) else None
 
 
 def end_pulled(
@@ -155,7 +155,9 @@ def end_pulled(
     ends = list(points.lists[number_of(settings)])
     if end >= len(ends):
         return {}
-    shares = (np.rint(np.clip(whole(size).pixel(place), -1.0, np.add(size, 1))) + 0.5) / size
+    shares = (
+        np.rint(np.clip(picture_field(size).pixel(place), -1.0, np.add(size, 1))) + 0.5
+    ) / size
     ends[end] = (float(shares[0]), float(shares[1]))
     return changed(points, number_of(settings), ends, end)
 
@@ -211,7 +213,7 @@ SCENE = Scene(
                 drives=("lines",),
                 at=partial(end_at, end),
                 pull=partial(end_pulled, end),
-                step=lambda _, outputs: whole(outputs["lines"].size).scale,  # a pixel
+                step=lambda _, outputs: picture_field(outputs["lines"].size).scale,  # a pixel
             )
             for end in range(2 * MOST)
         ),

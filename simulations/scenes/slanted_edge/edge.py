@@ -187,7 +187,7 @@ def simulated(light: Floats, noise: float, sharpening: float) -> Codes:
     return to_rgba8(encode_srgb(np.clip(taken, 0.0, 1.0)))[..., :3]
 
 
-def own(photograph: Photograph) -> Codes:
+def reader_codes(photograph: Photograph) -> Codes:
     """(H, W, 3) the reader's file."""
     return photograph.codes
 
@@ -196,18 +196,18 @@ def none_given(photograph: Photograph | None) -> str:
     return "" if photograph else "no photograph was chosen"
 
 
-def shown(codes: Codes) -> Codes:
+def panel_picture(codes: Codes) -> Codes:
     """(H', W', 4) the picture in the panel, on a transparent ground: small enough to be painted."""
     apart = math.ceil(max(codes.shape[:2]) / MOST_SHOWN)
     small = codes if apart == 1 else reduced(codes, apart)
     height, width = small.shape[:2]
     wide = max(width, round(height * WIDTH / HEIGHT))
     high = max(height, round(width * HEIGHT / WIDTH))
-    shown = np.zeros((high, wide, 4), np.uint8)
+    picture = np.zeros((high, wide, 4), np.uint8)
     top, left = (high - height) // 2, (wide - width) // 2
-    shown[top : top + height, left : left + width, :3] = small
-    shown[top : top + height, left : left + width, 3] = 255
-    return shown
+    picture[top : top + height, left : left + width, :3] = small
+    picture[top : top + height, left : left + width, 3] = 255
+    return picture
 
 
 def reduced(codes: Codes, apart: int) -> Codes:
@@ -254,10 +254,10 @@ def tone_of(photograph: Photograph | None, response: str, readings: Readings) ->
     if photograph is None or response != "srgb" or "raw" in photograph.facts:
         return Tone()
     for reading in readings:
-        told = reading.data["tone_curve"]
+        curve = reading.data["tone_curve"]
         is_same = reading.data["model"] == model_of(photograph.facts)
-        if is_same and told.get("standard_error", TYPICAL) < TYPICAL:
-            return Tone(told["value"], told["standard_error"])
+        if is_same and curve.get("standard_error", TYPICAL) < TYPICAL:
+            return Tone(curve["value"], curve["standard_error"])
     return Tone(error=TYPICAL)
 
 
@@ -370,10 +370,10 @@ def through(sharpness: Sharpness) -> Raster:
     Waves of all directions are weakened alike.
     """
 
-    def kept(down: Floats, across: Floats) -> Floats:
+    def weakened(down: Floats, across: Floats) -> Floats:
         return np.interp(np.hypot(down, across), FREQUENCIES, sharpness.contrast)
 
-    planes = sharp(), sharp() if sharpness.refusal else blurred(kept)
+    planes = sharp(), sharp() if sharpness.refusal else blurred(weakened)
     before, after = (to_rgba8(encode_srgb(each[CROP].transpose(1, 2, 0))) for each in planes)
     return wiped(before, after, 0.5)
 
@@ -391,8 +391,8 @@ def true_transfer(
 STAGES = (
     Stage("light", light),
     Stage("simulated", simulated, ("light",)),
-    Stage("codes", own, neutral=none_given, passes_on="simulated"),
-    Stage("shown", shown, ("codes",)),
+    Stage("codes", reader_codes, neutral=none_given, passes_on="simulated"),
+    Stage("shown", panel_picture, ("codes",)),
     Stage("box", chosen_box, ("codes",)),
     Stage("tone", tone_of),
     Stage("pixels", edge_pixels, ("codes", "box", "tone")),

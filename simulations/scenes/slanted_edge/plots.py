@@ -109,7 +109,7 @@ def waves_left(sharpness: Sharpness, true: Floats) -> Iterator[str]:
     if not sharpness.refusal:
         yield from measured_contrast(plot, sharpness)
     entries = (
-        Entry("lens × pixel", "ray bold", shown=known),
+        Entry("lens × pixel", "ray bold", visible=known),
         Entry("from the edge ± 2 errors", "image", "dot"),
     )
     yield legend((plot.x.start, 288), entries, "small")

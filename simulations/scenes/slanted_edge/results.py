@@ -52,7 +52,7 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
     )
     away = off_middle(outputs["box"], outputs)
     middle = readout("place", "From the middle to the corner", away, "%", digits=0)
-    return (*numbers, halos(measured), angle, middle)
+    return (*numbers, overshoot_readout(measured), angle, middle)
 
 
 def contrast_of(reading: EdgeReading, frequency: float) -> float:
@@ -60,7 +60,7 @@ def contrast_of(reading: EdgeReading, frequency: float) -> float:
     return float(reading.transfer([frequency])[0][0])
 
 
-def halos(measured: Sharpness) -> Readout:
+def overshoot_readout(measured: Sharpness) -> Readout:
     if measured.reading is None:
         return Readout("overshoot", "Overshoot", NOT_MEASURABLE)
     size = format_number(100.0 * measured.reading.overshoot, 1)
@@ -127,7 +127,7 @@ def lines_of(
         words = format_number(100.0 * place.sharpness.colour / half.frequency, 1)
         yield Readout(f"colour_{number}", "Of its error, how much the colours differ", words, "%")
     if place.sharpness.sharpened:
-        yield replace(halos(place.sharpness), name=f"overshoot_{number}")
+        yield replace(overshoot_readout(place.sharpness), name=f"overshoot_{number}")
     yield from colours(number, place.sharpness.channels)
 
 

@@ -28,7 +28,7 @@ export function install() {
   figures.install();
 }
 
-export const { arrive, followAddress } = figures;
+export const { setUpPage, followAddress } = figures;
 
 /**
  * Draw a figure of the page with a text in place of one of the book's definitions.

@@ -48,7 +48,7 @@ export class Panel {
   }
 
   /** Let the reader only read. */
-  readOnly(why: string) {
+  showReadOnly(why: string) {
     const listing = document.createElement("pre");
     listing.tabIndex = 0;
     listing.className = "code";

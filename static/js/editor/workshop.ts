@@ -126,7 +126,7 @@ export class Workshop {
       close: () => this.#close(),
     });
     if (Editor) panel.edit(Editor);
-    else panel.readOnly(words(this.live ? "workshop.no_editor" : "workshop.no_python"));
+    else panel.showReadOnly(words(this.live ? "workshop.no_editor" : "workshop.no_python"));
     element.id = this.button.getAttribute("aria-controls") ?? "";
     find(this.figure, ".python", HTMLElement).append(element);
     this.#panel = panel;
@@ -254,7 +254,7 @@ export class Workshop {
     const edits = await this.#loadEdits();
     edits.setRuns(false);
     this.#showState(edits);
-    this.#report(words("workshop.stopped", { reason }), unplaced(reason));
+    this.#report(words("workshop.stopped", { reason }), problemWithoutLine(reason));
   }
 
   #showFailure(error: unknown) {
@@ -266,7 +266,7 @@ export class Workshop {
     const lost = error instanceof RuntimeFailure && error.kind === "lost";
     const reason = errorText(error);
     const text = words(lost ? "workshop.stopped_first" : "workshop.did_not_run", { reason });
-    this.#report(text, unplaced(reason));
+    this.#report(text, problemWithoutLine(reason));
   }
 
   #report(text: string, problem?: Problem) {
@@ -284,7 +284,7 @@ export class Workshop {
 }
 
 /** A problem that no line is known for. */
-function unplaced(text: string): Problem {
+function problemWithoutLine(text: string): Problem {
   return { message: text, definition: "", line: 0 };
 }
 

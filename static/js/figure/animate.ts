@@ -6,7 +6,7 @@
 import { isSlider } from "../../../simulations/engine/controls/slider/kind.ts";
 import { findAll, element, findOptional, find } from "../page/dom.ts";
 import { words } from "../page/words.ts";
-import { moveControls, readValues, uncover, type Value } from "./controls.ts";
+import { moveControls, readValues, unfoldControls, type Value } from "./controls.ts";
 import { leaderOf, withParts } from "./parts.ts";
 import { record, settingsOf } from "./permalink.ts";
 
@@ -35,7 +35,7 @@ export async function followLink(link: HTMLAnchorElement) {
   const before = readValues(form, controls);
   const changed = Object.keys(values).filter((name) => values[name] !== before[name]);
   followed.set(figure, link);
-  uncover(form, changed);
+  unfoldControls(form, changed);
   recordJump(figure, values);
   await bringIntoView(find(shown, ".panels", HTMLElement));
   offerReturn(link);

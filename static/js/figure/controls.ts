@@ -84,7 +84,7 @@ export function named(name: string) {
 }
 
 /** Unfold what hides one of these controls, so that the reader sees what moves. */
-export function uncover(form: HTMLFormElement, names: string[]) {
+export function unfoldControls(form: HTMLFormElement, names: string[]) {
   for (const name of names) {
     const fold = form.querySelector(named(name))?.closest("details");
     if (fold) fold.open = true;

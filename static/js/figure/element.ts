@@ -85,8 +85,8 @@ export class SimulationFigure extends HTMLElement {
   /** Put the controls to where the address says before the first frame is requested. */
   async #startAtAddress(runtime: Runtime) {
     try {
-      const { arrive } = await import("./permalink.ts");
-      arrive(this);
+      const { applyAddress } = await import("./permalink.ts");
+      applyAddress(this);
     } finally {
       if (this.isConnected) this.#start(runtime);
     }

@@ -20,7 +20,7 @@ export function install() {
 }
 
 /** Called for each page. */
-export function arrive() {
+export function setUpPage() {
   prewarmNext();
   nudgeFirstHandle();
 }
@@ -176,18 +176,18 @@ async function prewarmNext() {
   const main = document.getElementById("main");
   const link = findOptional(document, ".pager a[rel=next]", HTMLAnchorElement);
   const url = link && linkedPage(link);
-  if (!url || isMetered() || !(await atRest(main)) || !navigator.onLine) return;
+  if (!url || isMetered() || !(await waitForRest(main)) || !navigator.onLine) return;
   const page = await prefetch(url);
   const [, scenes = ""] = /data-scenes="([^"]*)"/.exec(page?.text ?? "") ?? [];
   for (const scene of scenes.split(" ").filter(Boolean)) {
-    if (!(await atRest(main))) return;
+    if (!(await waitForRest(main))) return;
     const importing = sharedRuntime()?.call("prepare", { scene }, URGENCY);
     await importing?.catch(() => {}); // reported when a figure needs it
   }
 }
 
 /** @returns False where the page has been turned meanwhile. */
-async function atRest(main: HTMLElement | null): Promise<boolean> {
+async function waitForRest(main: HTMLElement | null): Promise<boolean> {
   while (main?.isConnected && !isAtRest()) await new Promise((done) => setTimeout(done, REST_MS));
   return main?.isConnected ?? false;
 }

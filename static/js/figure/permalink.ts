@@ -19,7 +19,7 @@ import {
   prefixOf,
   readValues,
   type Schema,
-  uncover,
+  unfoldControls,
   type Value,
 } from "./controls.ts";
 import { KINDS } from "./control_kinds.js";
@@ -118,23 +118,23 @@ export function record(
 
 /** Bring every figure of the page to where the address says, or back to the page's start. */
 export function showAddress() {
-  for (const figure of findAll(document, LEADS, HTMLElement)) arrive(figure);
+  for (const figure of findAll(document, LEADS, HTMLElement)) applyAddress(figure);
 }
 
 /** Put the controls of a figure to where the address says, and the others to the page's start. */
-export function arrive(figure: HTMLElement) {
+export function applyAddress(figure: HTMLElement) {
   const { form, controls, start } = settingsOf(figure);
-  const { values, ignored } = addressed(figure, controls);
+  const { values, ignored } = valuesInAddress(figure, controls);
   const wanted = { ...start, ...values };
   const shown = readValues(form, controls);
   const moved = controls.filter(({ name }) => shown[name] !== wanted[name]);
-  uncover(form, [...Object.keys(values), ...moved.map(({ name }) => name)]);
+  unfoldControls(form, [...Object.keys(values), ...moved.map(({ name }) => name)]);
   moveControls(form, moved, wanted, "change");
   reportIgnored(figure, ignored);
 }
 
 /** What the address says of a figure, and what of it cannot be meant. */
-function addressed(figure: HTMLElement, controls: Control[]) {
+function valuesInAddress(figure: HTMLElement, controls: Control[]) {
   const prefix = prefixOf(figure);
   const values: Record<string, Value> = {};
   const ignored = [];

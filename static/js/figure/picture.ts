@@ -35,7 +35,7 @@ export async function panelFile(
   const view = find(panel, ".panel-view", HTMLElement);
   const pixels = findOptional(view, "canvas, img", HTMLElement);
   const drawing = await standalone(find(view, "svg.overlay", SVGSVGElement), view);
-  if (pixels) return { blob: await flattened(view, pixels, drawing), suffix: "png" };
+  if (pixels) return { blob: await mergedPicture(view, pixels, drawing), suffix: "png" };
   const ground = document.createElementNS(drawing.namespaceURI, "rect");
   ground.setAttribute("width", "100%");
   ground.setAttribute("height", "100%");
@@ -103,7 +103,7 @@ function fileOf(drawing: SVGSVGElement) {
 }
 
 /** Pixels and drawing as one picture. */
-async function flattened(view: HTMLElement, pixels: HTMLElement, drawing: SVGSVGElement) {
+async function mergedPicture(view: HTMLElement, pixels: HTMLElement, drawing: SVGSVGElement) {
   const canvas = new OffscreenCanvas(SCALE * view.clientWidth, SCALE * view.clientHeight);
   const context = canvas.getContext("2d");
   if (!context) throw new Error(words("tools.no_canvas"));

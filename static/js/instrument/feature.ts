@@ -30,7 +30,7 @@ export function install() {
 }
 
 /** Called for each page. */
-export function arrive() {
+export function setUpPage() {
   for (const box of findAll(document, ".intake", HTMLElement)) {
     const scene = figureOf(box)?.dataset.simulation ?? "";
     if (loadItem(`instrument:${scene}`))

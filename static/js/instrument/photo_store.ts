@@ -45,7 +45,7 @@ type StoredPhoto = Omit<Photo, "number"> & { scene: string; order: number; sourc
  * its Python, is to be read again.
  */
 export async function loadPhotos(scene: string): Promise<Omit<Photo, "number">[]> {
-  const stored: StoredPhoto[] = await inStore("readonly", (store) =>
+  const stored: StoredPhoto[] = await requestInStore("readonly", (store) =>
     store.index("scene").getAll(scene),
   );
   const current = document.body.dataset.sources ?? "";
@@ -61,7 +61,7 @@ export async function loadPhotos(scene: string): Promise<Omit<Photo, "number">[]
 /** Store photographs as they are now, each at its place among all. */
 export async function savePhotos(scene: string, photos: Photo[], all: Photo[]) {
   const sources = document.body.dataset.sources ?? "";
-  await inStore("readwrite", (store) => {
+  await requestInStore("readwrite", (store) => {
     for (const { number: _number, ...photo } of photos) {
       const order = all.findIndex(({ id }) => id === photo.id);
       store.put({ ...photo, scene, order, sources });
@@ -75,15 +75,15 @@ export async function savePhotos(scene: string, photos: Photo[], all: Photo[]) {
  * @returns How many of the scene are left.
  */
 export async function deletePhotos(scene: string, photos?: Photo[]): Promise<number> {
-  const all = await inStore("readonly", (store) => store.index("scene").getAllKeys(scene));
-  return await inStore("readwrite", (store) => {
+  const all = await requestInStore("readonly", (store) => store.index("scene").getAllKeys(scene));
+  return await requestInStore("readwrite", (store) => {
     for (const id of photos?.map(({ id }) => id) ?? all) store.delete(id);
     return store.index("scene").count(scene);
   });
 }
 
 /** @throws Where the browser denies storage, or has no room. */
-async function inStore<T>(
+async function requestInStore<T>(
   mode: IDBTransactionMode,
   act: (store: IDBObjectStore) => IDBRequest<T>,
 ): Promise<T> {

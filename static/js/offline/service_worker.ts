@@ -45,7 +45,7 @@ worker.addEventListener("fetch", (event) => {
   if (!release || method !== "GET" || !url.startsWith(root)) return;
   const reply = replyTo(event).catch(() => fetch(event.request));
   event.respondWith(reply);
-  event.waitUntil(reply.then(() => upkeep(event.clientId)).catch(() => {}));
+  event.waitUntil(reply.then(() => tidyStore(event.clientId)).catch(() => {}));
 });
 
 /**
@@ -61,7 +61,7 @@ async function installRelease() {
   const problem = isFull ? failed.error.message : "";
   const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });
   for (const page of pages) page.postMessage({ address: root + failed.address, problem });
-  if (isFull) await keepOnly((await releases()).filter((name) => name !== release));
+  if (isFull) await deleteOtherReleases((await releases()).filter((name) => name !== release));
   throw failed.error;
 }
 
@@ -188,20 +188,20 @@ async function partialReply(stored: Response, { headers }: Request): Promise<Res
 }
 
 /** After an answer to this page: mend the store, or drop the releases that no open page came from. */
-async function upkeep(page: string) {
+async function tidyStore(page: string) {
   if (isDamaged) await (repair ??= storeAll());
   if (isCleaned || !currentPages.has(page)) return;
   const pages = await worker.clients.matchAll({ type: "window" });
   if (!pages.every(({ id }) => currentPages.has(id))) return;
   isCleaned = true;
   await navigator.locks.request(STORE, async () => {
-    if ((await releases()).at(-1) === release) await keepOnly([release]);
+    if ((await releases()).at(-1) === release) await deleteOtherReleases([release]);
   });
   for (const name of await caches.keys()) if (name.startsWith(OLD_CACHE)) await caches.delete(name);
 }
 
 /** Delete what belongs to no release of these. */
-async function keepOnly(names: string[]) {
+async function deleteOtherReleases(names: string[]) {
   const store = await caches.open(STORE);
   const files = (await Promise.all(names.map(filesOf))).flatMap((each) => [...each]);
   const keys = new Set(files.map(([address, hash]) => keyOf(address, hash)));

@@ -14,8 +14,8 @@ export function install() {
 }
 
 /** Put the field above the first table of a page that has such tables. */
-export function arrive() {
-  const [first] = tables();
+export function setUpPage() {
+  const [first] = caseTables();
   if (!first || document.querySelector(".case-filter")) return;
   const field = element("form", "case-filter row fine screen");
   field.role = "search";
@@ -29,7 +29,7 @@ export function arrive() {
 function filterCases(input: HTMLInputElement) {
   const wanted = input.value.toLowerCase().split(/\s+/).filter(Boolean);
   let found = 0;
-  for (const table of tables()) {
+  for (const table of caseTables()) {
     const rows = findAll(table, "tbody tr", HTMLElement);
     for (const row of rows) {
       const text = row.textContent.toLowerCase();
@@ -44,6 +44,6 @@ function filterCases(input: HTMLInputElement) {
   count.textContent = wanted.length ? words("extremes.found", { count: found }) : "";
 }
 
-function tables() {
+function caseTables() {
   return findAll(document, "details.extremes", HTMLDetailsElement);
 }

@@ -15,7 +15,7 @@ export function install() {
     const pass = closestTo(event, "input[name=pass]", HTMLInputElement);
     if (!pass) return;
     saveItem(KEY, pass.value === "whole");
-    for (const fold of folds()) fold.open = pass.value === "whole";
+    for (const fold of deeperFolds()) fold.open = pass.value === "whole";
   });
   // Before the browser follows it.
   document.addEventListener("click", (event) => {
@@ -25,13 +25,13 @@ export function install() {
 }
 
 /** Open what the reader wants open, what was open, and what the address leads to. */
-export function arrive() {
+export function setUpPage() {
   const isWhole = loadItem(KEY) === true;
   for (const pass of findAll(document, "input[name=pass]", HTMLInputElement)) {
     pass.checked = (pass.value === "whole") === isWhole;
   }
   const places: number[] = history.state?.opened ?? [];
-  for (const [place, fold] of folds().entries()) {
+  for (const [place, fold] of deeperFolds().entries()) {
     if (isWhole || places.includes(place)) fold.open = true;
   }
   const target = hashTarget();
@@ -42,9 +42,9 @@ export function arrive() {
 
 /** Which of the page's are open, by their places. */
 export function openFolds() {
-  return [...folds().entries()].flatMap(([place, { open }]) => (open ? [place] : []));
+  return [...deeperFolds().entries()].flatMap(([place, { open }]) => (open ? [place] : []));
 }
 
-function folds() {
+function deeperFolds() {
   return findAll(document, "details.deeper", HTMLDetailsElement);
 }

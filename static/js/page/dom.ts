@@ -50,10 +50,10 @@ export function hashTarget(hash: string = location.hash) {
 
 /** Open the folds around an element, if there are any. */
 export function unfold(found: Element | null) {
-  for (let fold = outer(found); fold; fold = outer(fold)) fold.open = true;
+  for (let fold = enclosingFold(found); fold; fold = enclosingFold(fold)) fold.open = true;
 }
 
-function outer(found: Element | null) {
+function enclosingFold(found: Element | null) {
   return found?.parentElement?.closest("details") ?? null;
 }
 

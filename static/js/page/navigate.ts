@@ -34,27 +34,27 @@ export interface Part {
   /** Listen; called once. */
   install(): void;
   /** A page has come into place. */
-  arrive?(): void;
+  setUpPage?(): void;
   /** The address has become another one of the same page. */
   followAddress?(): void;
   /** The page is about to make way for another; its address may be that one's already. */
-  leave?(page: string): void;
+  leavePage?(page: string): void;
 }
 
 /** Install all parts of pages, and call them as pages come and go. */
 export function installParts(pageParts: Part[]) {
-  const arriveAll = () => {
-    for (const part of pageParts) part.arrive?.();
+  const setUpAll = () => {
+    for (const part of pageParts) part.setUpPage?.();
   };
   const leaveAll = () => {
-    for (const part of pageParts) part.leave?.(currentPath);
+    for (const part of pageParts) part.leavePage?.(currentPath);
   };
   for (const part of pageParts) part.install();
   // All pages have the same ones, but from other addresses they are found by whole addresses only.
   for (const link of findAll(document.head, 'link[rel$="icon"]', HTMLLinkElement)) {
     link.setAttribute("href", link.href);
   }
-  arriveAll();
+  setUpAll();
   for (const kind of POINTING_EVENTS)
     document.addEventListener(kind, prefetchPointed, { passive: true });
   history.scrollRestoration = "manual";
@@ -66,7 +66,7 @@ export function installParts(pageParts: Part[]) {
     if (!url || document.querySelector("[data-unsaved]")) return; // the browser asks for a confirmation
     event.preventDefault();
     saveScroll();
-    turnTo(url, arriveAll, () => {
+    turnTo(url, setUpAll, () => {
       leaveAll();
       history.pushState({}, "", url);
     });
@@ -75,7 +75,7 @@ export function installParts(pageParts: Part[]) {
     if (isAddressCurrent()) {
       restoreScroll();
       for (const part of pageParts) part.followAddress?.();
-    } else turnTo(new URL(location.href), arriveAll, leaveAll);
+    } else turnTo(new URL(location.href), setUpAll, leaveAll);
   });
   addEventListener("scroll", () => {
     clearTimeout(scrollTimer);
@@ -89,7 +89,7 @@ export function isAddressCurrent() {
   return location.pathname === currentPath;
 }
 
-async function turnTo(url: URL, arriveAll: () => void, commit: () => void) {
+async function turnTo(url: URL, setUpAll: () => void, commit: () => void) {
   turning?.abort();
   turning = new AbortController();
   const { signal } = turning;
@@ -103,14 +103,14 @@ async function turnTo(url: URL, arriveAll: () => void, commit: () => void) {
     if (rest) await firstFrame();
     if (signal.aborted) return;
     rest?.();
-    arriveAll();
+    setUpAll();
     document.getElementById("main")?.focus({ preventScroll: true });
     restoreScroll();
   } catch (error) {
     if (signal.aborted) return;
     if (!(error instanceof HostUnreachable)) location.assign(url);
     else {
-      const again = () => turnTo(url, arriveAll, commit);
+      const again = () => turnTo(url, setUpAll, commit);
       showNotice(words("page.away"), { label: words("page.again"), act: again });
     }
   }

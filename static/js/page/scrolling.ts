@@ -32,7 +32,7 @@ function updateHeader() {
   isScheduled = false;
   const header = findOptional(document, ".site-header", HTMLElement);
   if (!header) return;
-  header.style.setProperty("--read", shareRead().toFixed(4));
+  header.style.setProperty("--read", readShare().toFixed(4));
   const stays =
     !SMALL_SCREEN.matches ||
     scrollY < 200 ||
@@ -54,7 +54,7 @@ function isHeaderAway(away: boolean) {
 }
 
 /** The part of the chapter that has passed the lower edge of the window, once it was scrolled. */
-function shareRead() {
+function readShare() {
   const article = findOptional(document, "article.chapter", HTMLElement);
   if (!article) return 0;
   const { top, height } = article.getBoundingClientRect();
@@ -67,7 +67,7 @@ function openContents() {
 }
 
 /** Called for each page. */
-export function arrive() {
+export function setUpPage() {
   schedule();
   watchSections();
   watchScrollers();

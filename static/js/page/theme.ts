@@ -17,12 +17,12 @@ export function install() {
   document.addEventListener("click", (event) => {
     if (!closestTo(event, ".theme-toggle", Element)) return;
     setTheme(nextTheme());
-    arrive();
+    setUpPage();
   });
 }
 
 /** Show the present theme on every theme button. */
-export function arrive() {
+export function setUpPage() {
   const name = words(`theme.${currentTheme()}`);
   for (const button of findAll(document, ".theme-toggle", HTMLButtonElement)) {
     button.dataset.choice = currentTheme();

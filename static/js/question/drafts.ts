@@ -50,7 +50,7 @@ export function restoreDrafts() {
 }
 
 /** The page with this address is left, for another of the book or for good. */
-export function leave(page: string) {
+export function leavePage(page: string) {
   const unsent = forms()
     .map((form) => ({ form, draft: draftOf(form) }))
     .filter(({ form, draft }) => JSON.stringify(draft) !== untouched.get(form))

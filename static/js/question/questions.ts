@@ -21,7 +21,7 @@ import {
   type Verdict,
 } from "./question.ts";
 
-export { leave } from "./drafts.ts";
+export { leavePage } from "./drafts.ts";
 
 /** Null: the answer was revealed without a guess. */
 type AnswerOrNone = Answer | null;
@@ -59,7 +59,7 @@ export function install() {
 }
 
 /** Put each question of the page in the reader's order, with the answer of an earlier visit. */
-export function arrive() {
+export function setUpPage() {
   for (const form of forms()) setUp(form);
   restoreDrafts();
   showProgress();
@@ -222,11 +222,11 @@ function scrollToQuestion(event: MouseEvent) {
 /** Links of the question to the experiment are plain words until the guess is made. */
 function toggleLinks(form: HTMLFormElement, isMade: boolean) {
   for (const link of findAll(form, ".predict-question a.set", HTMLAnchorElement)) {
-    const { held } = link.dataset;
-    if (isMade && held !== undefined) {
-      link.href = held;
+    const { held: href } = link.dataset;
+    if (isMade && href !== undefined) {
+      link.href = href;
       delete link.dataset.held;
-    } else if (!isMade && held === undefined) {
+    } else if (!isMade && href === undefined) {
       link.dataset.held = link.getAttribute("href") ?? "";
       link.removeAttribute("href");
     }

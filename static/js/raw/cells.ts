@@ -41,7 +41,7 @@ function colourOf({ filters }: Metadata, row: number, column: number) {
  */
 export function mosaicOf(about: Metadata, cells: Cells, linear: Developed): Mosaic {
   const { cdesc, color_data } = about;
-  const [width, height] = asSensorLies(about);
+  const [width, height] = sensorSize(about);
   const codes = visible(cells, width, height);
   const quad = [0, 1, 2, 3].map((k) => [k >> 1, k & 1] as const);
   const colours = quad.map(([row, column]) => colourOf(about, row, column));
@@ -57,7 +57,7 @@ export function mosaicOf(about: Metadata, cells: Cells, linear: Developed): Mosa
   return { codes, width, height, about: JSON.stringify(levels) };
 }
 
-function asSensorLies({ width, height, flip }: Metadata) {
+function sensorSize({ width, height, flip }: Metadata) {
   return flip >= 5 ? [height, width] : [width, height];
 }
 
@@ -66,7 +66,7 @@ function asSensorLies({ width, height, flip }: Metadata) {
  * colours. A code near white may be light.
  */
 export function isCutOff(about: Metadata, { data, raw_width, top_margin, left_margin }: Cells) {
-  const [width, height] = asSensorLies(about);
+  const [width, height] = sensorSize(about);
   const first = (top_margin + height - 1) * raw_width + left_margin;
   const [even, odd] = data.slice(first, first + 2);
   const row = data.subarray(first, first + width);

@@ -17,7 +17,7 @@ export function FunctionOfParts(names: string | string[], body: string) {
 
 /** Calls a method of C++. */
 function invoker(parts: Parts, body: string) {
-  const converters = numbered(parts, /^toArg\d+Wire$/);
+  const converters = partsNamed(parts, /^toArg\d+Wire$/);
   const isMethod = body.includes("thisWired =");
   const stacks = body.includes("var destructors");
   const returns = body.includes("return ret");
@@ -34,7 +34,7 @@ function invoker(parts: Parts, body: string) {
 
 /** Calls a function of JavaScript for C++, or casts; the arguments lie eight bytes apart. */
 function methodCaller(parts: Parts, body: string) {
-  const readers = numbered(parts, /^argFromPtr\d+$/);
+  const readers = partsNamed(parts, /^argFromPtr\d+$/);
   const call = (handle: number, method: number, given: any[]) => {
     if (!body.includes("toValue(handle)")) return given.at(-1);
     const target = parts.toValue(handle);
@@ -48,7 +48,7 @@ function methodCaller(parts: Parts, body: string) {
   };
 }
 
-function numbered(parts: Parts, pattern: RegExp): ((...given: unknown[]) => unknown)[] {
+function partsNamed(parts: Parts, pattern: RegExp): ((...given: unknown[]) => unknown)[] {
   return Object.keys(parts)
     .filter((name) => pattern.test(name))
     .map((name) => parts[name]);

@@ -99,7 +99,7 @@ export class Chunks {
     return names.filter((name) => !this.table.machine_code.includes(name));
   }
 
-  lacks(names: string[]) {
+  isMissingAny(names: string[]) {
     return !names.every((name) => this.#present.has(name));
   }
 

@@ -63,7 +63,7 @@ async function prepare(scene: string) {
   } catch (error) {
     // A snapshot has modules without their files; what the scene imports may be one of these.
     const names = requireChunks().chunksToRun(table.scenes[scene] ?? []);
-    if (!requireChunks().lacks(names)) throw error;
+    if (!requireChunks().isMissingAny(names)) throw error;
     await requireChunks().provide(names);
     python?.prepare(scene);
   }

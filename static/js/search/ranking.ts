@@ -64,7 +64,7 @@ const ENTRY = 0.4;
 const LAST = 0.9;
 
 /** What the index is made with; it must be opened with the same. */
-export function settings(language: Language) {
+export function indexOptions(language: Language) {
   return {
     fields: FIELDS,
     storeFields: ["address", ...FIELDS],

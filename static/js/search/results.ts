@@ -3,8 +3,8 @@
 import { element, find } from "../page/dom.ts";
 import { setText } from "../page/text.ts";
 import { words } from "../page/words.ts";
-import { searchSections, settings, type Hit } from "./ranking.ts";
-import { formsOf, language, type Language, wordsIn } from "./words.ts";
+import { searchSections, indexOptions, type Hit } from "./ranking.ts";
+import { formsOf, languageOf, type Language, wordsIn } from "./words.ts";
 
 /** The sections of the book, and how words of its language are compared. */
 export interface Index {
@@ -29,8 +29,8 @@ export async function fetchIndex(): Promise<Index> {
     library("stemmer.js"),
     fetchJson("search/index.json"),
   ]);
-  const compared = language(stemmer, words("search.stop_words"), words("search.synonyms"));
-  return { sections: MiniSearch.loadJS(index, settings(compared)), language: compared };
+  const compared = languageOf(stemmer, words("search.stop_words"), words("search.synonyms"));
+  return { sections: MiniSearch.loadJS(index, indexOptions(compared)), language: compared };
 }
 
 async function fetchJson(path: string) {
@@ -87,13 +87,16 @@ function excerptOf(hit: Hit, compared: Language) {
   const [text, ...others] = [hit.text, hit.figures, hit.questions, ...names].map((part) =>
     excerpt(part, hit.matched, compared),
   );
-  const best = others.reduce((one, other) => (kinds(other) > kinds(one) ? other : one), text);
+  const best = others.reduce(
+    (one, other) => (matchCount(other) > matchCount(one) ? other : one),
+    text,
+  );
   const isName = others.indexOf(best) > 1;
   return (isName ? [...best, { text: " · ", hit: false }, ...text] : best).map(pieceElement);
 }
 
 /** How many different words were found. */
-function kinds(pieces: { text: string; hit: boolean }[]) {
+function matchCount(pieces: { text: string; hit: boolean }[]) {
   return new Set(pieces.filter(({ hit }) => hit).map(({ text }) => text.toLowerCase())).size;
 }
 

@@ -30,7 +30,7 @@ const SIZES = /^\d+x\d+$/u;
  * @param stopWords Separated by spaces.
  * @param synonyms Groups, separated by commas; each counts as its first word.
  */
-export function language(
+export function languageOf(
   stem: (word: string) => string,
   stopWords: string,
   synonyms: string,

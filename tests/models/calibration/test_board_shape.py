@@ -6,7 +6,7 @@ import pytest
 from support.chequerboards import BENT_SIZE, BOARD_WORLDS, SIDE_MM, bent_views
 
 from simulations.models.arrays import Floats
-from simulations.models.calibration.board_shape import SHAPES, Shape, shape_of
+from simulations.models.calibration.board_shape import SHAPES, Shape, flat_shape
 from simulations.models.calibration.bundle_adjustment import linearise
 from simulations.models.calibration.camera import PINHOLE, Poses
 from simulations.models.calibration.model_choice import (
@@ -70,7 +70,7 @@ STEP = 1e-6
 @pytest.mark.parametrize("name", ["bent", "warped"])
 def test_shape_derivatives_agree_with_differences_of_residuals(name: str) -> None:
     camera, views = bent_views({}, np.random.default_rng(1), count=3)
-    start = shape_of(name, views)
+    start = flat_shape(name, views)
     poses = sitting(camera, BENT_SIZE, 3, Board(), 2).poses
     values = np.random.default_rng(0).normal(0.0, 0.02, len(start.terms))
 

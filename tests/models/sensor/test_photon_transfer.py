@@ -21,7 +21,7 @@ from simulations.models.sensor.photon_transfer_file import (
 )
 from simulations.models.sensor.photon_transfer_fit import black_of_dark, characterise, single_cells
 from simulations.models.sensor.photon_transfer_pair import Level, measure_pair
-from simulations.models.sensor.photon_transfer_standard import by_the_standard
+from simulations.models.sensor.photon_transfer_standard import standard_estimates
 
 
 def rng() -> np.random.Generator:
@@ -339,14 +339,14 @@ def test_full_well_range_and_linearity_follow_the_standard() -> None:
     pairs = pairs_of(96, 5, count=23)
     levels = [measure_pair(pair, 4095) for pair in pairs]
     sensor, times = characterise(levels, levels[0].mean_dn, 4095), np.arange(23.0)
-    found = by_the_standard(levels, levels[0].mean_dn, times.tolist(), sensor)
+    found = standard_estimates(levels, levels[0].mean_dn, times.tolist(), sensor)
     assert found.full_well.value == pytest.approx(SENSOR.full_well_e, rel=0.03)
     floor = math.hypot(10.0, 4.0 / math.sqrt(12)) + 0.5
     assert found.dynamic_range.value == pytest.approx(found.full_well.value / floor, rel=0.02)
     assert found.linearity_error.value < 5e-4
-    bent = by_the_standard(levels, levels[0].mean_dn, (times**1.02).tolist(), sensor)
+    bent = standard_estimates(levels, levels[0].mean_dn, (times**1.02).tolist(), sensor)
     assert 0.002 < bent.linearity_error.value < 0.01
-    unknown = by_the_standard(levels[:12], levels[0].mean_dn, [math.nan] * 12, sensor)
+    unknown = standard_estimates(levels[:12], levels[0].mean_dn, [math.nan] * 12, sensor)
     assert "do not say" in unknown.linearity_error.reason
     assert unknown.dynamic_range.bound == "above"
 
