@@ -64,7 +64,7 @@ class Trial:
     def shape(self) -> str:
         """Of the board, its name in `SHAPES`."""
         terms = self.fit.poses.shape.terms
-        return next(name for name, own in SHAPES.items() if own == terms)
+        return next(name for name, known in SHAPES.items() if known == terms)
 
 
 def shapes(views: Views, flat: tuple[Trial, ...]) -> tuple[Trial, ...]:
@@ -87,9 +87,9 @@ def shapes(views: Views, flat: tuple[Trial, ...]) -> tuple[Trial, ...]:
 
 def with_shape(views: Views, trials: tuple[Trial, ...], shape: Trial) -> tuple[Trial, ...]:
     """The models of the lens with the shape of this trial."""
-    own = shape.fit.poses.shape
+    start = shape.fit.poses.shape
     return _determined(
-        views, ((t.lens, t.fit.camera, replace(t.fit.poses, shape=own)) for t in trials)
+        views, ((t.lens, t.fit.camera, replace(t.fit.poses, shape=start)) for t in trials)
     )
 
 

@@ -43,9 +43,9 @@ def measure_shape(views: Views, trial: Trial) -> Measured:
     board = np.stack(np.meshgrid(np.arange(columns), np.arange(rows)), axis=-1).astype(float)
     if not shape.terms:
         return Measured(False, np.zeros((rows, columns)), 0.0, 1.0, 0.0)
-    own = np.array([axis == 2 for axis, _, _ in shape.terms])
+    out_of_plane = np.array([axis == 2 for axis, _, _ in shape.terms])
     plane = np.column_stack((board.reshape(-1, 2), np.ones(rows * columns)))
-    powers = shape.powers(board).reshape(-1, len(own)) * own
+    powers = shape.powers(board).reshape(-1, len(out_of_plane)) * out_of_plane
     powers = powers - plane @ np.linalg.lstsq(plane, powers, rcond=None)[0]
     relief = powers @ shape.values
     row = powers[relief.argmax()] - powers[relief.argmin()]

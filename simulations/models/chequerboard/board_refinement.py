@@ -49,22 +49,22 @@ def refine_board(picture: Picture, rough: Lattice, factor: int) -> Refined:
     The window of each follows the size of its squares in the photograph.
     """
     cells = np.argwhere(rough.known)
-    seen = predict(rough, cells)
+    predicted = predict(rough, cells)
     places, _ = corners_of(rough)
-    spacing = np.nan_to_num(seen.spacing)
+    spacing = np.nan_to_num(predicted.spacing)
     radii = np.clip(np.rint(WINDOW * spacing), SMALLEST_WINDOW, LARGEST_WINDOW).astype(int)
-    edges = np.stack([seen.across, seen.down], axis=1)
+    edges = np.stack([predicted.across, predicted.down], axis=1)
     fits = Fit(np.full(places.shape, np.nan), *np.full((3, len(places)), np.nan))
     for radius in sorted(set(radii.tolist())):
-        own = radii == radius
-        fit = _fit(picture, places[own], edges[own], radius, factor)
+        selected = radii == radius
+        fit = _fit(picture, places[selected], edges[selected], radius, factor)
         for all_values, values in (
             (fits.places, fit.places),
             (fits.blur_px, fit.blur_px),
             (fits.contrast, fit.contrast),
             (fits.misfit, fit.misfit),
         ):
-            all_values[own] = values
+            all_values[selected] = values
     light = (cells.sum(axis=1) % 2 == 0) == rough.light
     moved = np.hypot(*(fits.places - places).T) - 0.5
     good = _good(fits, light) & (moved < MOVED * spacing)
@@ -73,7 +73,7 @@ def refine_board(picture: Picture, rough: Lattice, factor: int) -> Refined:
     if not good.any():
         return Refined(Lattice(grid, rough.light), np.nan, quantile_of(spacing), False)
     blur = quantile_of(fits.blur_px[good])
-    middles = _contrast_of_middles(picture, places, seen, light)
+    middles = _contrast_of_middles(picture, places, predicted, light)
     usual, apart = (
         quantile_of(middles[good]),
         np.diff([quantile_of(middles[good], share) for share in (0.1, 0.9)]),
@@ -90,11 +90,13 @@ def refine_board(picture: Picture, rough: Lattice, factor: int) -> Refined:
     )
 
 
-def _contrast_of_middles(picture: Picture, places: Floats, seen: Prediction, light: Mask) -> Floats:
+def _contrast_of_middles(
+    picture: Picture, places: Floats, predicted: Prediction, light: Mask
+) -> Floats:
     """(N,) difference between the middles of the two light and the two dark squares."""
     total = np.zeros(len(places))
     for right, down in ((0.5, 0.5), (-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5)):
-        middle = places + right * seen.across + down * seen.down
+        middle = places + right * predicted.across + down * predicted.down
         values = windows(picture, middle, 1).values.mean(axis=1)
         total += 0.5 * values if right == down else -0.5 * values
     return np.where(light, total, -total)

@@ -69,8 +69,8 @@ def _nearest(places: Floats) -> Whole:
     x, y = places.astype(np.float32).T
     square = (x[:, None] - x) ** 2 + (y[:, None] - y) ** 2
     np.fill_diagonal(square, np.inf)
-    kept = min(NEAREST, len(places) - 1)
-    return np.argpartition(square, kept - 1, axis=1)[:, :kept]
+    count = min(NEAREST, len(places) - 1)
+    return np.argpartition(square, count - 1, axis=1)[:, :count]
 
 
 def _return_edges(near: Whole, away: Floats, rays: Floats, ray: int) -> tuple[Whole, Mask]:
@@ -107,11 +107,11 @@ def _edge_between(
 def walk(saddles: Saddles, links: Whole) -> list[Grid]:
     """The connected grids, the largest first."""
     facing = _facing(links)
-    seen = np.zeros(len(links), bool)
+    visited = np.zeros(len(links), bool)
     grids = []
     for seed in range(len(links)):
-        if not seen[seed] and (links[seed] >= 0).sum() >= 2:
-            at = _walk_from(seed, links, facing, seen)
+        if not visited[seed] and (links[seed] >= 0).sum() >= 2:
+            at = _walk_from(seed, links, facing, visited)
             grids.append(Grid(saddles.places[list(at)], np.array(list(at.values()))))
     return sorted(grids, key=lambda grid: -len(grid.places))
 
@@ -123,23 +123,23 @@ def _facing(links: Whole) -> Whole:
     return back
 
 
-def _walk_from(seed: int, links: Whole, facing: Whole, seen: Mask) -> dict[int, tuple[int, int]]:
+def _walk_from(seed: int, links: Whole, facing: Whole, visited: Mask) -> dict[int, tuple[int, int]]:
     """Column and row of each corner that is connected to ``seed``."""
     steps = ((1, 0), (0, 1), (-1, 0), (0, -1))
     turned, at, taken = {seed: 0}, {seed: (0, 0)}, {(0, 0)}
     queue = deque([seed])
-    seen[seed] = True
+    visited[seed] = True
     while queue:
         corner = queue.popleft()
         for direction, (right, down) in enumerate(steps):
             edge = (turned[corner] + direction) % 4
             other = int(links[corner, edge])
             place = (at[corner][0] + right, at[corner][1] + down)
-            if other < 0 or seen[other] or place in taken:
+            if other < 0 or visited[other] or place in taken:
                 continue
             turned[other] = (int(facing[corner, edge]) - direction - 2) % 4
             at[other] = place
             taken.add(place)
-            seen[other] = True
+            visited[other] = True
             queue.append(other)
     return at

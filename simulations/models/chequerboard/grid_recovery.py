@@ -54,11 +54,11 @@ def in_squares(lattice: Lattice) -> Lattice:
     """The corners that belong to a square whose four corners are known."""
     known = lattice.known
     full = known[:-1, :-1] & known[1:, :-1] & known[:-1, 1:] & known[1:, 1:]
-    kept = np.zeros_like(known)
+    selected = np.zeros_like(known)
     for rows in (slice(None, -1), slice(1, None)):
         for columns in (slice(None, -1), slice(1, None)):
-            kept[rows, columns] |= full
-    return Lattice(np.where(kept[..., None], lattice.places, np.nan), lattice.light)
+            selected[rows, columns] |= full
+    return Lattice(np.where(selected[..., None], lattice.places, np.nan), lattice.light)
 
 
 def corners_of(lattice: Lattice) -> tuple[Floats, Whole]:
@@ -67,15 +67,15 @@ def corners_of(lattice: Lattice) -> tuple[Floats, Whole]:
     return lattice.places[row, column], np.stack([column, row], axis=-1)
 
 
-def contrasts(smooth: Planes, lattice: Lattice, cells: Whole, seen: Prediction) -> Floats:
+def contrasts(smooth: Planes, lattice: Lattice, cells: Whole, predicted: Prediction) -> Floats:
     """(M,) how much lighter the two light squares about a corner are than the two dark ones.
 
     The darker of the light ones is compared with the lighter of the dark ones, so that an edge or a
     T of edges has none.
     """
     sides = np.array([[1, 1], [-1, -1], [1, -1], [-1, 1]]) * QUADRANT
-    vectors = np.stack([seen.across, seen.down], axis=1)
-    values = sample(smooth, seen.places[:, None] + sides @ vectors)
+    vectors = np.stack([predicted.across, predicted.down], axis=1)
+    values = sample(smooth, predicted.places[:, None] + sides @ vectors)
     odd = ((cells.sum(axis=1) % 2 == 1) ^ (not lattice.light))[:, None]
     values = np.where(odd, -values, values)
     return np.minimum(values[:, 0], values[:, 1]) - np.maximum(values[:, 2], values[:, 3])
@@ -89,18 +89,18 @@ def _without_strays(smooth: Planes, lattice: Lattice) -> Lattice:
         if not len(places):
             break
         cells = indices[:, ::-1]
-        seen = predict(lattice, cells)
-        error = np.hypot(*(places - seen.places).T) / np.maximum(seen.spacing, 1e-9)
+        predicted = predict(lattice, cells)
+        error = np.hypot(*(places - predicted.places).T) / np.maximum(predicted.spacing, 1e-9)
         error = np.where(np.isfinite(error), error, np.inf)
-        here = Prediction(places, seen.across, seen.down)
+        here = Prediction(places, predicted.across, predicted.down)
         error[_too_pale(contrasts(smooth, lattice, cells, here))] = np.inf
         bad = error > ASTRAY
         if not bad.any():
             break
         worst = bad & (error >= 0.7 * min(float(error.max()), 1e9))
-        kept = lattice.places.copy()
-        kept[cells[worst, 0], cells[worst, 1]] = np.nan
-        lattice = Lattice(kept, lattice.light)
+        remaining = lattice.places.copy()
+        remaining[cells[worst, 0], cells[worst, 1]] = np.nan
+        lattice = Lattice(remaining, lattice.light)
     return lattice
 
 
@@ -121,21 +121,25 @@ def _grown(smooth: Planes, lattice: Lattice, gap: int) -> Lattice:
     places, indices = corners_of(lattice)
     lattice = lattice_of(places, indices, lattice.light, border=gap)
     cells = np.argwhere(_near(lattice.known, gap) & ~lattice.known)
-    seen = predict(lattice, cells)
+    predicted = predict(lattice, cells)
     height, width = smooth.shape
     with np.errstate(invalid="ignore"):
-        fits = np.all((seen.places > 3.0) & (seen.places < [width - 4.0, height - 4.0]), axis=1)
-        fits &= seen.spacing > 3.0
-    cells, seen = cells[fits], _only(seen, fits)
+        fits = np.all(
+            (predicted.places > 3.0) & (predicted.places < [width - 4.0, height - 4.0]), axis=1
+        )
+        fits &= predicted.spacing > 3.0
+    cells, predicted = cells[fits], _selected(predicted, fits)
     if not len(cells):
         return lattice
-    radius = int(np.clip(round(0.35 * quantile_of(seen.spacing)), 2, 6))
-    found = quadratic_saddle(smooth, seen.places, radius)
-    astray = np.hypot(*(found - seen.places).T) / seen.spacing
+    radius = int(np.clip(round(0.35 * quantile_of(predicted.spacing)), 2, 6))
+    found = quadratic_saddle(smooth, predicted.places, radius)
+    astray = np.hypot(*(found - predicted.places).T) / predicted.spacing
     known_cells = np.argwhere(lattice.known)
     known = predict(lattice, known_cells)
     usual = _median(contrasts(smooth, lattice, known_cells, known))
-    contrast = contrasts(smooth, lattice, cells, Prediction(found, seen.across, seen.down))
+    contrast = contrasts(
+        smooth, lattice, cells, Prediction(found, predicted.across, predicted.down)
+    )
     with np.errstate(invalid="ignore"):
         good = (astray < ASTRAY) & (contrast > max(PALE * usual, LEAST_CODES))
     grid = lattice.places.copy()
@@ -154,5 +158,5 @@ def _near(known: Mask, gap: int) -> Mask:
     return near
 
 
-def _only(seen: Prediction, kept: Mask) -> Prediction:
-    return Prediction(seen.places[kept], seen.across[kept], seen.down[kept])
+def _selected(predicted: Prediction, mask: Mask) -> Prediction:
+    return Prediction(predicted.places[mask], predicted.across[mask], predicted.down[mask])

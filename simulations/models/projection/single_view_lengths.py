@@ -88,10 +88,10 @@ def measured(
 
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         through_view = numerical_derivatives(by_view, 7, view.covariance)
-        own = (numerical_derivatives(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
+        variance = (numerical_derivatives(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
         apart = np.vstack([through_view[1:], np.zeros(7)]) - through_view[0]
         relative = np.einsum("ni,ij,nj->n", apart, view.covariance, apart)
-        relative += np.append(own[1:], 0.0) + own[0]
+        relative += np.append(variance[1:], 0.0) + variance[0]
         metres = known_metres * np.append(found[1:], 1.0) / found[0]
         errors = metres * np.sqrt(relative)
     return Measured(metres[:-1], errors[:-1], float(metres[-1]), float(errors[-1]))

@@ -125,15 +125,15 @@ def boards(readings: Readings) -> Boards:
         return Boards(simulated_sitting().views(SIGMA_PX), SIZE, names, (), TRUTH)
     sizes = [(int(r.data["width"]), int(r.data["height"])) for r in readings]
     size, count = Counter(sizes).most_common(1)[0]
-    kept = [r for r, own in zip(readings, sizes, strict=True) if own == size][:MOST]
-    facts = [r.data.get("facts", {}) for r in kept]
+    used = [r for r, sides in zip(readings, sizes, strict=True) if sides == size][:MOST]
+    facts = [r.data.get("facts", {}) for r in used]
     stated = facts[0].get("focal_35mm_mm")
     return Boards(
-        Views.stack([(np.array(r.data["indices"]), np.array(r.data["corners"])) for r in kept]),
+        Views.stack([(np.array(r.data["indices"]), np.array(r.data["corners"])) for r in used]),
         size,
-        tuple(r.name for r in kept),
-        tuple(r.number for r in kept),
-        notes=tuple(_notes(len(readings) - count, count - len(kept), facts)),
+        tuple(r.name for r in used),
+        tuple(r.number for r in used),
+        notes=tuple(_notes(len(readings) - count, count - len(used), facts)),
         # by the diagonals of picture and full frame
         focal_px=float(stated) * math.hypot(*size) / FULL_FRAME_DIAGONAL_MM if stated else None,
         taken={

@@ -222,11 +222,11 @@ def readouts(outputs: Outputs) -> tuple[Readout, ...]:
     found: Found = outputs["view"]
     lengths: Lengths = outputs["lengths"]
     view, known, knows = found.view, lengths.known, found.knows_focal
-    own = outputs["photograph"] is not None
+    is_readers = outputs["photograph"] is not None
     focal = centre = pitch = roll = (MISSING, "")
     scatter = ("too few lines", "")
     if view is not None:
-        true_focal = "" if own else f", true {FOCAL_PX:.0f} px"
+        true_focal = "" if is_readers else f", true {FOCAL_PX:.0f} px"
         focal = _split((view.focal_px, view.focal_px * found.focal_error), "px", true_focal)
         x, y = (format_number(number, 0) for number in view.centre)
         centre = f"({x}, {y})", "px"
