@@ -145,8 +145,8 @@ def _boards_in(smooth: Planes) -> tuple[list[Lattice], int]:
 
 def _covers(board: Lattice, places: Floats) -> bool:
     """Whether most of these corners lie on the board."""
-    own, _ = corners_of(board)
-    distance = np.hypot(*(own[:, None] - places).transpose(2, 0, 1)).min(axis=0)
+    board_corners, _ = corners_of(board)
+    distance = np.hypot(*(board_corners[:, None] - places).transpose(2, 0, 1)).min(axis=0)
     return bool(quantile_of(distance) < _spacing(board))
 
 

@@ -53,8 +53,8 @@ def smoothed(grey: Planes) -> Planes:
 
 
 def _part(padded: Planes, axis: int, start: int, length: int) -> Planes:
-    kept = slice(start, start + length)
-    return padded[kept] if axis == 0 else padded[:, kept]
+    part = slice(start, start + length)
+    return padded[part] if axis == 0 else padded[:, part]
 
 
 def find_saddles(smooth: Planes) -> Saddles:
@@ -133,8 +133,8 @@ def _with_four_arcs(smooth: Planes, peaks: Floats) -> Saddles:
     straight = _opposite(rays[:, 0], rays[:, 2]) & _opposite(rays[:, 1], rays[:, 3])
     half = SAMPLES // 2
     unlike = np.abs(level - np.roll(level, half, axis=1)).mean(axis=1)
-    kept = straight & (unlike < 0.5 * contrast)
-    return Saddles(peaks[kept], rays[kept], contrast[kept])
+    selected = straight & (unlike < 0.5 * contrast)
+    return Saddles(peaks[selected], rays[selected], contrast[selected])
 
 
 def _rays(level: Floats, light: Mask, cuts: Mask) -> Floats:

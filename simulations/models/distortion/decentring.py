@@ -180,15 +180,15 @@ def on_sheet_of_axis(ideal: Floats, radial: RadialProfile, p1: float, p2: float)
     sheet = sheet_of(radial, p1, p2)
     radius = np.hypot(ideal[:, 0], ideal[:, 1])
     keeps = radius < sheet.sure
-    asked = np.flatnonzero(~keeps & (radius < sheet.pole))
-    if asked.size:
-        r = radius[asked]
-        x, y = ideal[asked, 0] / r, ideal[asked, 1] / r
+    candidates = np.flatnonzero(~keeps & (radius < sheet.pole))
+    if candidates.size:
+        r = radius[candidates]
+        x, y = ideal[candidates, 0] / r, ideal[candidates, 1] / r
         a, b = p2 * x + p1 * y, p1 * x - p2 * y
         with np.errstate(over="ignore", invalid="ignore"):
             direction = sheet.plain + np.outer(a, sheet.tilted)
             direction += np.outer(3.0 * a * a - b * b, sheet.bent)
-            keeps[asked] = stay_positive(direction * np.vander(r, sheet.plain.size, True))
+            keeps[candidates] = stay_positive(direction * np.vander(r, sheet.plain.size, True))
     return keeps
 
 

@@ -197,7 +197,7 @@ def _checked_reach(profile: RadialProfile, fold: float, grid: Grid, coefficients
     good = np.all((off <= 2.0 * TOLERANCE * np.abs(s)) & (s < fold * fold), axis=0)
     outwards = slice(None, None, -1 if grid.folds else 1)
     bad = np.flatnonzero(~good[outwards])
-    held = int(bad[0]) if bad.size else good.size
-    if not held:
+    valid_count = int(bad[0]) if bad.size else good.size
+    if not valid_count:
         return 0.0
-    return float(image_squared.max(axis=0)[outwards][held - 1])
+    return float(image_squared.max(axis=0)[outwards][valid_count - 1])

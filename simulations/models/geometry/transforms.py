@@ -140,16 +140,16 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
     vertices = _in_range("polygon", _vertices(polygon))
     coefficients = _in_range("line", as_array("line", line, 3))
     side = vertices @ coefficients[:2] + coefficients[2]
-    kept: list[Floats] = []
+    clipped: list[Floats] = []
     for i in range(len(vertices)):
         previous = i - 1
         crosses = (side[previous] >= 0.0) != (side[i] >= 0.0)
         if crosses and (closed or i > 0):
             share = side[previous] / (side[previous] - side[i])
-            kept.append(vertices[previous] + share * (vertices[i] - vertices[previous]))
+            clipped.append(vertices[previous] + share * (vertices[i] - vertices[previous]))
         if side[i] >= 0.0:
-            kept.append(vertices[i])
-    return np.array(kept).reshape(-1, 2)
+            clipped.append(vertices[i])
+    return np.array(clipped).reshape(-1, 2)
 
 
 def clip_to_rectangle(

@@ -150,21 +150,21 @@ def through_exact(
     half, rim = lens.thickness_mm / 2.0, rim_mm(lens, largest_mm)
     along = _unit(np.stack([np.ones_like(slopes), slopes], -1))
     start = np.stack([np.zeros_like(heights), heights], -1)
-    front, normal, met = meet(start, along, -half, lens.front_per_mm)
-    met &= _within(front, rim)
+    front, normal, hits = meet(start, along, -half, lens.front_per_mm)
+    hits &= _within(front, rim)
     inside, _ = refract(along, normal, 1.0 / lens.index)
-    back, normal, met_back = meet(front, inside, half, lens.back_per_mm)
-    met_back &= _within(back, rim)
+    back, normal, hits_back = meet(front, inside, half, lens.back_per_mm)
+    hits_back &= _within(back, rim)
     out, passed = refract(inside, normal, lens.index)
     # At the rim of a ball light may leave backwards.
     sideways = out[:, 0] <= 0.0
     fate = np.select(
-        [~met, ~met_back, ~passed, sideways],
+        [~hits, ~hits_back, ~passed, sideways],
         [MISSES, LEAVES_BY_RIM, REFLECTED, LEAVES_BY_RIM],
         PASSES,
     )
-    front = np.where(met[:, None], front, np.nan)
-    back = np.where((met & met_back)[:, None], back, np.nan)
+    front = np.where(hits[:, None], front, np.nan)
+    back = np.where((hits & hits_back)[:, None], back, np.nan)
     through = fate == PASSES
     slope = np.full(heights.shape, np.nan)
     slope[through] = out[through, 1] / out[through, 0]
@@ -194,12 +194,12 @@ def meet(
     half = along[:, 0] - c * np.einsum("ni,ni->n", place, along)
     rest = c * np.einsum("ni,ni->n", place, place) - 2.0 * place[:, 0]
     inside = half * half - c * rest
-    met = (inside >= 0.0) & (half > 0.0)
-    root = np.sqrt(np.where(met, inside, 0.0))
-    step = np.where(met, rest / np.where(met, half + root, 1.0), 0.0)
+    hits = (inside >= 0.0) & (half > 0.0)
+    root = np.sqrt(np.where(hits, inside, 0.0))
+    step = np.where(hits, rest / np.where(hits, half + root, 1.0), 0.0)
     place = place + step[:, None] * along
     normal = np.array([1.0, 0.0]) - c * place
-    return place + np.array([vertex_mm, 0.0]), normal, met
+    return place + np.array([vertex_mm, 0.0]), normal, hits
 
 
 @np.errstate(over="ignore", invalid="ignore")

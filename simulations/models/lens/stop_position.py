@@ -104,11 +104,11 @@ def _through(lens: Singlet, stop_mm: float, slope: Floats) -> tuple[Floats, Floa
     start = np.stack([np.full_like(slope, stop_mm), np.zeros_like(slope)], -1)
     along = np.stack([np.ones_like(slope), slope], -1)
     along /= np.hypot(1.0, slope)[:, None]
-    front, normal, met = meet(start, along, -half, lens.front_per_mm)
+    front, normal, hits = meet(start, along, -half, lens.front_per_mm)
     inside, _ = refract(along, normal, 1.0 / lens.index)
-    back, normal, met_back = meet(front, inside, half, lens.back_per_mm)
+    back, normal, hits_back = meet(front, inside, half, lens.back_per_mm)
     out, passed = refract(inside, normal, lens.index)
-    through = met & met_back & passed
+    through = hits & hits_back & passed
     leaves = np.where(through, out[:, 1] / out[:, 0], np.nan)
     front, back = (np.where(through[:, None], each, np.nan) for each in (front, back))
     return front, back, leaves

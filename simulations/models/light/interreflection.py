@@ -100,8 +100,8 @@ def bounced(direct: ArrayLike, albedos: ArrayLike, bounces: int | None) -> Float
         step = albedo * (across @ step)
         light += step
     if endless and before > 0.0:
-        kept = float(step.sum()) / before
-        light += step * (kept / (1.0 - kept) if kept < 1.0 else math.inf)
+        ratio = float(step.sum()) / before
+        light += step * (ratio / (1.0 - ratio) if ratio < 1.0 else math.inf)
     return light.reshape(SHAPE)
 
 

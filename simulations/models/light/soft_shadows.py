@@ -112,8 +112,8 @@ def bounding_radius(solid: Sphere | Box) -> float:
 
 def smooth_ramp(place: ArrayLike) -> Floats:
     """0 below 0, 1 above 1, a cubic with horizontal ends between."""
-    held = np.clip(as_floats(place), 0.0, 1.0)
-    return held * held * (3.0 - 2.0 * held)
+    clamped = np.clip(as_floats(place), 0.0, 1.0)
+    return clamped * clamped * (3.0 - 2.0 * clamped)
 
 
 def sphere_occlusion(

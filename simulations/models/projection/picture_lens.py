@@ -106,13 +106,13 @@ def edge_points(codes: NDArray[np.uint8], ends: Floats) -> Floats:
     near = np.abs(np.arange(len(at)) - peak[:, None]) <= 4
     weight = np.where(near, np.square(slope), 0.0)
     offset = (weight @ at) / np.maximum(weight.sum(axis=1), 1e-12)
-    kept = slope.max(axis=1) > LEAST_STEP
+    used = slope.max(axis=1) > LEAST_STEP
     for _ in range(ROUNDS):
-        if np.count_nonzero(kept) < max(LEAST_SHARE * len(share), 8):
+        if np.count_nonzero(used) < max(LEAST_SHARE * len(share), 8):
             return np.zeros((0, 2))
-        off = np.abs(offset - np.polyval(np.polyfit(share[kept], offset[kept], 2), share))
-        kept = (off <= max(4.0 * quantile_of(off[kept]), 0.2)) & (slope.max(axis=1) > LEAST_STEP)
-    return np.asarray(middles[kept] + offset[kept, None] * normal)
+        off = np.abs(offset - np.polyval(np.polyfit(share[used], offset[used], 2), share))
+        used = (off <= max(4.0 * quantile_of(off[used]), 0.2)) & (slope.max(axis=1) > LEAST_STEP)
+    return np.asarray(middles[used] + offset[used, None] * normal)
 
 
 def lens_by_lines(lines: Sequence[Floats], lens: PictureLens) -> PictureLens:

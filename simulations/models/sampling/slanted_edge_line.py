@@ -94,8 +94,8 @@ def find_line(picture: Floats) -> EdgeLine:
     for _ in range(ROUNDS):
         rows, crossing = _crossings(values, np.polyval(line, y))
         off = np.abs(crossing - np.polyval(line, y[rows]))
-        kept = off <= FAR_OFF * max(quantile_of(off), 0.05)
-        rows, crossing = rows[kept], crossing[kept]
+        inliers = off <= FAR_OFF * max(quantile_of(off), 0.05)
+        rows, crossing = rows[inliers], crossing[inliers]
         line = np.polyfit(y[rows], crossing, 2)
     length = float(np.ptp(y[rows]))
     if quantile_of(np.abs(crossing - np.polyval(line, y[rows]))) > MOST_SCATTER:

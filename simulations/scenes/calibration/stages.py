@@ -121,8 +121,8 @@ def _every(used: Boards, shape: str) -> Trials:
     if shape == "flat":
         return Trials(views, flat)
     tried = shapes(views, flat)
-    own = [trial for trial in tried if trial.shape == shape]
-    chosen = own[0] if own else best_shape(tried)
+    same_shape = [trial for trial in tried if trial.shape == shape]
+    chosen = same_shape[0] if same_shape else best_shape(tried)
     found = flat if chosen.shape == "flat" else with_shape(views, flat, chosen)
     return Trials(views, found, tried=tried)
 

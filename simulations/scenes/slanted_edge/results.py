@@ -195,13 +195,13 @@ def json_file(settings: Settings, outputs: Outputs) -> str:
     reading_of(outputs)
     photograph = outputs["photograph"]
     shown = KeptEdge(outputs["box"], outputs["sharpness"])
-    kept = [place for place in outputs["places"] if place.sharpness.reading]
+    measured_places = [place for place in outputs["places"] if place.sharpness.reading]
     found = {
         "picture": photograph.name if photograph else "simulated",
         "codes": settings.response,
         "pixel_pitch_um": 1000.0 / per_mm(settings),
         "rectangle": facts_of(shown, outputs),
-        "kept": [facts_of(place, outputs) for place in kept],
+        "kept": [facts_of(place, outputs) for place in measured_places],
     }
     return json.dumps(found, ensure_ascii=False, indent=1, allow_nan=False)
 
