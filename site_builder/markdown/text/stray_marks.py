@@ -35,7 +35,7 @@ SLIPS = tuple(
         ),
         *(
             (pattern, "means nothing here; legal: a formula, '$…$'")
-            for pattern in (r"(\w+~[^~\s]+~)(?!~)", r"(\w+\^[^\^\s]+\^)")
+            for pattern in (r"(\b\w+~[^~\s]+~)(?!~)", r"(\b\w+\^[^\^\s]+\^)")
         ),
         (r"(\+\+[^+\s](?:[^+\n]*[^+\s])?\+\+)", "means nothing here; legal: '*…*'"),
         (r"(?<=\S )(:[a-z][a-z_]+:)(?![\w:/])", "means nothing here; legal: the sign itself"),
