@@ -66,7 +66,7 @@ def test_view_direction_depends_on_the_order_of_pan_and_tilt() -> None:
 
 def test_newton_guesses_converge_and_no_tier_beats_the_front() -> None:
     m = module("newton_steps")
-    root = brentq(lambda r: r - 0.3 * r**3 - m.SEEN, 0.5, 1.0)
+    root = brentq(lambda r: r - 0.3 * r**3 - m.DISTORTED, 0.5, 1.0)
     errors = [abs(guess - root) for guess in m.guesses()]
     assert errors == sorted(errors, reverse=True)
     assert errors[-1] < 1e-4
