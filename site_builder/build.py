@@ -20,13 +20,7 @@ from site_builder.assets.browser_parts import (
     pack_for_browser,
     scene_files,
 )
-from site_builder.assets.page_assets import (
-    NOW,
-    Files,
-    gather_assets,
-    page_parts,
-    prerendered_files,
-)
+from site_builder.assets.page_assets import NOW, Files, gather_assets, page_parts, prerendered_files
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.cache.results import cached_result
 from site_builder.checks.frames import check_data, check_frames
@@ -34,11 +28,7 @@ from site_builder.checks.pictures import check_pictures
 from site_builder.checks.whole_book import check_book, check_first_passes, check_skeletons
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Book
-from site_builder.figures.initial_frames import (
-    InitialFrames,
-    describing,
-    render_initial_frames,
-)
+from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
 from site_builder.files.engine import static_files
 from site_builder.files.folders import file_hash
 from site_builder.files.text import Sources

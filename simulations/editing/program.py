@@ -16,12 +16,7 @@ from itertools import groupby
 from types import ModuleType
 from typing import Any
 
-from simulations.editing.definitions import (
-    defined_name,
-    definitions,
-    is_editable,
-    module_source,
-)
+from simulations.editing.definitions import defined_name, definitions, is_editable, module_source
 from simulations.engine.message import Message
 
 type Edits = Mapping[str, str]

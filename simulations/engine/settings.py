@@ -15,14 +15,7 @@ from dataclasses import Field, fields
 from functools import lru_cache
 from typing import Any, cast
 
-from simulations.engine.controls import (
-    KINDS,
-    Control,
-    ControlError,
-    Slider,
-    Value,
-    suggestion,
-)
+from simulations.engine.controls import KINDS, Control, ControlError, Slider, Value, suggestion
 from simulations.engine.controls.action.kind import action as action
 from simulations.engine.controls.choice.kind import choice as choice
 from simulations.engine.controls.points.kind import points as points

@@ -12,12 +12,7 @@ from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
-METHODS = {
-    "": "Truth",
-    "bilinear": "Bilinear",
-    "malvar": "Malvar",
-    "menon-unrefined": "Menon",
-}
+METHODS = {"": "Truth", "bilinear": "Bilinear", "malvar": "Malvar", "menon-unrefined": "Menon"}
 CORNERS = {"balloon": (36, 108), "room": (148, 96), "soft": (80, 80)}
 """Row and column of the first pixel that is shown of each picture."""
 CELLS, WIDTH, SIDE, GAP = 24, 190.0, 180.0, 26.0

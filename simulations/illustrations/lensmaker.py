@@ -80,10 +80,7 @@ def draw() -> Illustration:
         line(polar(BACK, 60, turn + SECOND), polar(BACK, 70, SECOND), "muted thin dashed"),
         _wedge(BACK, 26, turn + INSIDE, turn + SECOND, "θ_3", "image"),
     ]
-    fourth = [
-        line(BACK, focus, "ray"),
-        _wedge(BACK, 36, OUTSIDE, SECOND, "θ_4", "image"),
-    ]
+    fourth = [line(BACK, focus, "ray"), _wedge(BACK, 36, OUTSIDE, SECOND, "θ_4", "image")]
     fifth = [
         dot(focus, "ray", 4),
         line(BACK, ahead, "ray thin dashed"),

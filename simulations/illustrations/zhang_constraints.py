@@ -56,10 +56,7 @@ def draw() -> Illustration:
     ]
     short = 0.35
     third = [polyline([at(short * R1), at(short * (R1 + R2)), at(short * R2)], "error")]
-    fourth = [
-        arrow(at(CENTRE), at(R1), "error bold"),
-        arrow(at(CENTRE), at(R2), "error bold"),
-    ]
+    fourth = [arrow(at(CENTRE), at(R1), "error bold"), arrow(at(CENTRE), at(R2), "error bold")]
     words = (
         "A camera and a slanting board. The pictures of the board's edges run to two vanishing "
         f"points, seen from the camera {angle_deg():.0f}° apart, as the edges are."

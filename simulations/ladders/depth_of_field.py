@@ -8,12 +8,7 @@ import numpy as np
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.error_measures import psnr_db
-from simulations.models.lens.aperture import (
-    fibonacci_disc,
-    jittered_disc,
-    random_disc,
-    turned_disc,
-)
+from simulations.models.lens.aperture import fibonacci_disc, jittered_disc, random_disc, turned_disc
 from simulations.models.lens.depth_of_field import Blur, Layer, blur_by_depth, blur_layer, composite
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs

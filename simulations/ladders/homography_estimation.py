@@ -131,11 +131,7 @@ def run(workload: Workload, *, estimate: Callable[[Floats, Floats], Floats]) -> 
 
 
 def rms_px(
-    result: Estimates,
-    truth: tuple[Floats, ...],
-    workload: Workload,
-    *,
-    views: tuple[str, ...],
+    result: Estimates, truth: tuple[Floats, ...], workload: Workload, *, views: tuple[str, ...]
 ) -> float:
     """RMS distance in the second picture, over the test grids of these views."""
     squares = []

@@ -88,12 +88,7 @@ LADDER = Ladder(
             )
             for grid in GRIDS
         ),
-        Tier(
-            "phong",
-            "Phong in every pixel",
-            "2 cosines, 1 power a pixel",
-            phong_pixels,
-        ),
+        Tier("phong", "Phong in every pixel", "2 cosines, 1 power a pixel", phong_pixels),
     ),
     reference=reference,
     reference_label="Phong's formula with the eye mirrored, float64",

@@ -176,8 +176,7 @@ LIT: Mapping[str, Callable[[Body], Floats]] = {
 }
 DEFAULT_TIER = "phong"
 LEVELS = tiers(
-    *LIT,
-    labels={"phong": "Light in every pixel", "blended-normals-16": "Normals at 16 × 16 cells"},
+    *LIT, labels={"phong": "Light in every pixel", "blended-normals-16": "Normals at 16 × 16 cells"}
 )
 
 

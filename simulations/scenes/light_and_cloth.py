@@ -276,11 +276,5 @@ HANDLES: tuple[Handle[LitSurface], ...] = (
     ),
 )
 SCENE = Scene(
-    "light-and-cloth",
-    "Light on a Cloth",
-    LitSurface,
-    draw,
-    STAGES,
-    HANDLES,
-    formula=tristimulus,
+    "light-and-cloth", "Light on a Cloth", LitSurface, draw, STAGES, HANDLES, formula=tristimulus
 )

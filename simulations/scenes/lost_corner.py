@@ -12,11 +12,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
-from simulations.models.geometry.transforms import (
-    apply_homography,
-    clip_half_plane,
-    translation,
-)
+from simulations.models.geometry.transforms import apply_homography, clip_half_plane, translation
 from simulations.scenes._mapped_square import family, plane
 
 SHIFT = np.array([60.0, 81.25])

@@ -99,11 +99,7 @@ def picture(colours: Colours, twin: bool) -> Raster:
 
 
 def pictures(
-    light: Floats,
-    curves: Floats,
-    fitted: Floats,
-    colours: Colours,
-    photograph: Photograph | None,
+    light: Floats, curves: Floats, fitted: Floats, colours: Colours, photograph: Photograph | None
 ) -> Raster:
     """(320, 400, 4) a photograph in the four steps of `ROWS`.
 

@@ -17,12 +17,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from site_builder.cache.hashing import (
-    UnhashableError,
-    changed_sources,
-    hash_of,
-    source_hash,
-)
+from site_builder.cache.hashing import UnhashableError, changed_sources, hash_of, source_hash
 from site_builder.diagnostics.diagnostic import Diagnostics
 from site_builder.files.folders import cache_folder
 

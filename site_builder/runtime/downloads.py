@@ -107,9 +107,7 @@ def fetch_runtime(
 
 
 def fetch_files(
-    files: Sequence[RuntimeFile],
-    sources: Sequence[tuple[str, Source]],
-    store: Path | None = None,
+    files: Sequence[RuntimeFile], sources: Sequence[tuple[str, Source]], store: Path | None = None
 ) -> Mapping[str, Path]:
     """Files by name, each verified against its SHA-256.
 

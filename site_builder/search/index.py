@@ -142,11 +142,7 @@ STEMMERS = {"en": "stemmer/index.js", "de": "@orama/stemmers/dist/de.js"}
 """Shipped modules of packages, by language; they import nothing."""
 PLAIN = "plain.mjs"
 """In this folder, for languages without one."""
-LICENCES = {
-    "minisearch": "LICENSE.txt",
-    "stemmer": "license",
-    "@orama/stemmers": "LICENSE.md",
-}
+LICENCES = {"minisearch": "LICENSE.txt", "stemmer": "license", "@orama/stemmers": "LICENSE.md"}
 
 
 @dataclass(frozen=True, slots=True)

@@ -126,10 +126,7 @@ SAMPLE = {
         ("chunk", "half"),
         ("progress_file", "half"),
     ),
-    "Firefox": (
-        ("numpy.zip", "login"),
-        ("main.js", "missing"),
-    ),
+    "Firefox": (("numpy.zip", "login"), ("main.js", "missing")),
     "WebKitGTK": (),
 }
 """The faults that `make test` tries."""
@@ -233,7 +230,7 @@ def test_outdated_page_offers_a_reload_and_python_starts_after_an_outage(
     uncached.faults |= {
         "/lens-distortion/": Fault(
             lambda page: page.replace(b"/runtime/", b"/runtime/next-"), media_type="text/html"
-        ),
+        )
     }
     next_try(patient)
     slider.press("ArrowRight")

@@ -23,11 +23,7 @@ BRADFORD = np.array(
 CONES = np.array([[0.40024, 0.7076, -0.08081], [-0.2263, 1.16532, 0.0457], [0.0, 0.0, 0.91822]])
 """The eye's long, middle and short receptors (Hunt, Pointer and Estévez), equal under D65."""
 
-RESPONSES = {
-    "bradford": BRADFORD,
-    "von-kries": CONES,
-    "rgb": np.linalg.inv(rgb_to_xyz_matrix()),
-}
+RESPONSES = {"bradford": BRADFORD, "von-kries": CONES, "rgb": np.linalg.inv(rgb_to_xyz_matrix())}
 """Matrices from XYZ to the responses; "rgb" applies the gains of `white_balance` to linear sRGB."""
 
 

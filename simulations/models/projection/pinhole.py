@@ -20,9 +20,7 @@ from simulations.models.require import require
 
 
 def intrinsics(
-    focal_px: float | tuple[float, float],
-    principal_point: tuple[float, float],
-    skew: float = 0.0,
+    focal_px: float | tuple[float, float], principal_point: tuple[float, float], skew: float = 0.0
 ) -> Floats:
     """The calibration matrix K = [[fx, s, cx], [0, fy, cy], [0, 0, 1]].
 

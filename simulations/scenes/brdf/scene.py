@@ -298,11 +298,5 @@ HANDLES: tuple[Handle[Settings], ...] = (
     ),
 )
 SCENE = Scene(
-    "brdf",
-    "Reflectance Distribution (BRDF)",
-    Settings,
-    draw,
-    STAGES,
-    HANDLES,
-    formula=reflected,
+    "brdf", "Reflectance Distribution (BRDF)", Settings, draw, STAGES, HANDLES, formula=reflected
 )

@@ -6,12 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from simulations.engine.export import Export
-from simulations.engine.frame import (
-    Readout,
-    format_number,
-    readout,
-    value_with_error,
-)
+from simulations.engine.frame import Readout, format_number, readout, value_with_error
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.reading import Readings, UnfitError
 from simulations.engine.stages import Outputs
@@ -27,10 +22,7 @@ from simulations.models.calibration.undistorted import undistorted
 from simulations.scenes.calibration.board_drawing import board_words
 from simulations.scenes.calibration.boards import Boards
 from simulations.scenes.calibration.settings import LENSES, Settings
-from simulations.scenes.calibration.stages import (
-    Result,
-    Trials,
-)
+from simulations.scenes.calibration.stages import Result, Trials
 
 LABELS = {
     "fx": "Focal length, across",

@@ -29,14 +29,7 @@ from simulations.scenes.calibration.boards import TRUTH, Boards, read, rendered
 from simulations.scenes.calibration.contact_sheet import contact_sheet, middle_of, number_at
 from simulations.scenes.calibration.results import EXPORTS, OPEN, develop, measured, notes_of, sheet
 from simulations.scenes.calibration.settings import DETAILS, LENSES, Settings
-from simulations.scenes.calibration.stages import (
-    LEVELS,
-    STAGES,
-    Errors,
-    Result,
-    Shown,
-    Trials,
-)
+from simulations.scenes.calibration.stages import LEVELS, STAGES, Errors, Result, Shown, Trials
 
 UNKNOWN = "not determined"
 INSIDE = 12.0  # least distance of the handle of the dividing line from the right border

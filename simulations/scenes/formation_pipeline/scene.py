@@ -22,12 +22,7 @@ from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb, encode_srgb_codes
-from simulations.models.projection.pinhole import (
-    intrinsics,
-    look_at,
-    project,
-    world_to_camera,
-)
+from simulations.models.projection.pinhole import intrinsics, look_at, project, world_to_camera
 from simulations.scenes.formation_pipeline.stations import (
     CELLS,
     LAMP_COS,

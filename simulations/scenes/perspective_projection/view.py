@@ -15,12 +15,7 @@ import numpy as np
 from simulations.models.arrays import Floats, Mask
 from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.projection.pinhole import (
-    intrinsics,
-    project,
-    rigid_pose,
-    world_to_camera,
-)
+from simulations.models.projection.pinhole import intrinsics, project, rigid_pose, world_to_camera
 from simulations.world.furniture import HIGH, LOW
 from simulations.world.surfaces import CHART
 from simulations.world.things import OBJECTS

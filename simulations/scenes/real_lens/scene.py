@@ -10,14 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.accuracy import Accuracy, tiers
-from simulations.engine.frame import (
-    Frame,
-    Panel,
-    Readout,
-    format_magnitude,
-    format_number,
-    readout,
-)
+from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider

@@ -253,11 +253,7 @@ def readouts(outputs: Outputs) -> tuple[Readout, ...]:
         Readout("pitch", "Looks down (pitch)", *pitch, role="camera"),
         Readout("roll", "Leans right (roll)", *roll, role="camera"),
         Readout("distance", "Camera above the plane", *distance, role="camera"),
-        Readout(
-            "scatter",
-            "Scatter of the ends",
-            *scatter,
-        ),
+        Readout("scatter", "Scatter of the ends", *scatter),
         Readout("centre_at", "Principal point", *centre, role="camera"),
         Readout("lens", "Lens", bend_in_words(view, outputs["lens"]), "", role="camera"),
     )

@@ -26,11 +26,7 @@ from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, H
 from simulations.models.sampling.slanted_edge_file import light_of_code, light_of_codes
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
-from simulations.models.sampling.slanted_edge_pixels import (
-    EdgePixels,
-    locate_edge,
-    pixels_beside,
-)
+from simulations.models.sampling.slanted_edge_pixels import EdgePixels, locate_edge, pixels_beside
 from simulations.models.sampling.slanted_edge_search import edge_near
 from simulations.models.sampling.slanted_edge_tone import tone_error
 from simulations.models.sensor.photon_transfer_file import is_grey, model_of

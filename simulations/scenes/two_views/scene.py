@@ -7,14 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from simulations.engine.accuracy import Accuracy
-from simulations.engine.frame import (
-    Frame,
-    Raster,
-    Readout,
-    format_number,
-    matrix_readout,
-    readout,
-)
+from simulations.engine.frame import Frame, Raster, Readout, format_number, matrix_readout, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider

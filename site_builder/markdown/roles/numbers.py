@@ -181,8 +181,5 @@ def readout_text(words: str, context: ParseContext) -> str:
 
 
 READOUT = Role(
-    name="readout",
-    form=FORM,
-    doc="a number that a figure shows at that setting",
-    text=readout_text,
+    name="readout", form=FORM, doc="a number that a figure shows at that setting", text=readout_text
 )

@@ -19,10 +19,7 @@ SLIPS = tuple(
         (r"((?:\{[\w-]+\})?`+)", "is never closed; legal: a second '`' in the same paragraph"),
         (r"(\*\*)", r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars"),
         (r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
-        (
-            r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])",
-            "leads nowhere; legal: '[words](NN-slug.md)'",
-        ),
+        (r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])", "leads nowhere; legal: '[words](NN-slug.md)'"),
         (
             r"\b([Cc]hapters? \d+|[Aa]ppendix [A-Z]\b"
             r"|(?:[Ff]igure|[Tt]able|[Ee]quation|[Ee]xample|[Qq]uestion) \(?[A-Z\d]+\.\d+\)?)",
@@ -59,10 +56,7 @@ LINE_SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
         (r"(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
-        (
-            r"(\([\w:.-]+\)=)",
-            "labels nothing; legal: above a heading, a formula or a figure",
-        ),
+        (r"(\([\w:.-]+\)=)", "labels nothing; legal: above a heading, a formula or a figure"),
         (r"(#{2,6}\w[^\n]*|#[A-Za-z][^\n]*)", "is no heading; legal: a space behind the '#'"),
         (
             r"(:[a-z_][\w-]*:?)(?:$|[\s=])",

@@ -141,11 +141,7 @@ def class_data(book: Book) -> Markup:
 
     return json_for_html(
         [
-            {
-                "name": name,
-                "place": f"{chapter.url}#quiz-{quiz.id}",
-                **_data(quiz, option),
-            }
+            {"name": name, "place": f"{chapter.url}#quiz-{quiz.id}", **_data(quiz, option)}
             for chapter in book.chapters
             for name, quiz in numbered_quizzes(chapter.body)
         ]

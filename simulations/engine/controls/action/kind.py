@@ -79,11 +79,7 @@ class Action:
 
 
 def action(
-    *labels: str,
-    drives: str = "",
-    effect: str = "",
-    seconds: float = 8.0,
-    arrival: bool = False,
+    *labels: str, drives: str = "", effect: str = "", seconds: float = 8.0, arrival: bool = False
 ) -> int:
     """A button, whose value is the number of presses modulo the number of labels."""
     made: int = setting(
