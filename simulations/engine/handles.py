@@ -41,7 +41,6 @@ class Handle[S]:
     """Name of its panel."""
     label: str
     """Its name for readers who cannot see it: ``Lamp``."""
-    _: KW_ONLY
     drives: tuple[str, ...]
     """Names of the one or two settings that a pull changes. The arrow keys right and left step the
     first; up and down step the second, or the first if there is only one. Points are moved by all
@@ -52,6 +51,7 @@ class Handle[S]:
     """Takes settings, a place and, if it has parameters of these names, the current ``tier`` and
     the reader's ``photograph``. Returns the settings that put the handle at that place; settings
     left out stay as they are. ``None`` for a search, if the handle drives one slider or menu."""
+    _: KW_ONLY
     reach: Literal["mark", "press", "drag", "aim"] = "mark"
     """How it is grabbed: at its mark; also by pressing anywhere in the panel, which brings it
     there; without a mark by dragging from anywhere, which moves it by the same distance; or by
@@ -79,9 +79,12 @@ def places(
             legal = ", ".join(sizes)
             raise ValueError(f"handle {handle.name!r}: panel {handle.panel!r}; legal: {legal}")
         place = handle.at(settings, outputs)
-        if place is not None and not _is_point(place):
+        if place is None:
+            continue
+        pair = isinstance(place, tuple) and len(place) == 2
+        if not pair or not all(isinstance(value, Real) for value in place):
             raise TypeError(f"handle {handle.name!r}: at returns {place!r}; legal: (x, y) or None")
-        if place is None or not all(map(math.isfinite, place)):
+        if not all(map(math.isfinite, place)):
             continue
         x, y = (float(value) for value in place)
         if handle.reach in ("mark", "press"):
@@ -169,10 +172,6 @@ def _nearest_value(
             return best if math.isfinite(distances[best]) else here
         gap = math.ceil((high - low) / (count - 1))
         low, high, count = max(values[best] - gap, low), min(values[best] + gap, high), FINE
-
-
-def _is_point(place: object) -> bool:
-    return isinstance(place, tuple) and len(place) == 2 and all(isinstance(v, Real) for v in place)
 
 
 def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) -> list[str]:

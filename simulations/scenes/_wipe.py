@@ -48,4 +48,4 @@ def wipe_handle(panel: str, setting: str, width: float, height: float) -> Handle
     def at(settings: object, _outputs: Outputs) -> Point:
         return (float(getattr(settings, setting)) * width, HEIGHT_OF_HANDLE * height)
 
-    return Handle(setting, panel, "Dividing line", drives=(setting,), at=at, role="image")
+    return Handle(setting, panel, "Dividing line", (setting,), at, role="image")

@@ -358,23 +358,9 @@ SCENE = Scene(
     draw,
     (Stage("standpoint", standpoint), Stage("picture", picture, ("standpoint",))),
     handles=(
+        Handle("camera", "world", "Camera", MOVES, on_axis(0.0), camera_pulled, role="camera"),
         Handle(
-            "camera",
-            "world",
-            "Camera",
-            drives=MOVES,
-            at=on_axis(0.0),
-            pull=camera_pulled,
-            role="camera",
-        ),
-        Handle(
-            "tip",
-            "world",
-            "Forward axis",
-            drives=("pan",),
-            at=on_axis(AXIS_M),
-            pull=tip_pulled,
-            role="camera",
+            "tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), tip_pulled, role="camera"
         ),
         turning("world"),
     ),

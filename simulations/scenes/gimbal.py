@@ -340,9 +340,7 @@ def bead_pulled(index: int, settings: Settings, place: Point) -> dict[str, float
 
 def ring_handle(index: int, name: str, role: str) -> Handle[Settings]:
     at, pull = partial(bead, index), partial(bead_pulled, index)
-    return Handle(
-        name, "gimbal", f"{name.capitalize()} ring", drives=(name,), at=at, pull=pull, role=role
-    )
+    return Handle(name, "gimbal", f"{name.capitalize()} ring", (name,), at, pull, role=role)
 
 
 SCENE = Scene(

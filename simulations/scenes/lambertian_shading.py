@@ -292,21 +292,11 @@ def paint_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
 
 LIGHT_ANGLE, PROBE = ("light_angle",), ("probe",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle(
-        "brightest", "camera", "Brightest point", drives=LIGHT_ANGLE, at=brightest, role="light"
-    ),
+    Handle("brightest", "camera", "Brightest point", LIGHT_ANGLE, brightest, role="light"),
     _ball.probe_on_ball("ray"),
-    Handle("lamp", "above", "Lamp", drives=LIGHT_ANGLE, at=lamp_at, role="light"),
-    Handle("probe-above", "above", "Probed point", drives=PROBE, at=probe_above_at, role="ray"),
-    Handle(
-        "probe-curve",
-        "curve",
-        "Probed point",
-        drives=PROBE,
-        at=on_curve,
-        role="ray",
-        reversed=PROBE,
-    ),
+    Handle("lamp", "above", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
+    Handle("probe-above", "above", "Probed point", PROBE, probe_above_at, role="ray"),
+    Handle("probe-curve", "curve", "Probed point", PROBE, on_curve, role="ray", reversed=PROBE),
     Handle(
         "paint",
         "curve",

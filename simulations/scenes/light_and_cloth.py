@@ -262,8 +262,8 @@ def white_mark(settings: LitSurface, _outputs: Outputs) -> tuple[float, float] |
 
 TEMPERATURE = ("temperature",)
 HANDLES: tuple[Handle[LitSurface], ...] = (
-    Handle("band", "light", "Band of the cloth", drives=("band",), at=band_mark, role="world"),
-    Handle("width", "light", "Width of the band", drives=("width",), at=width_mark, role="world"),
+    Handle("band", "light", "Band of the cloth", ("band",), band_mark, role="world"),
+    Handle("width", "light", "Width of the band", ("width",), width_mark, role="world"),
     _spectra.SURFACE,
     Handle(
         "white",

@@ -116,7 +116,7 @@ SCENE = Scene(
     Settings,
     draw,
     handles=(
-        Handle("image", "plane", "Image of P", drives=("amount",), at=image_at, role="image"),
+        Handle("image", "plane", "Image of P", ("amount",), image_at, role="image"),
         Handle(
             "point",
             "plane",
@@ -128,7 +128,7 @@ SCENE = Scene(
             ),
             role="world",
         ),
-        Handle("amount", "divisor", "Line w = 0", drives=("amount",), at=line_at, role="error"),
+        Handle("amount", "divisor", "Line w = 0", ("amount",), line_at, role="error"),
     ),
     formula=apply_homography,
 )

@@ -271,15 +271,7 @@ SCENE = Scene(
         Stage("curves", curves_of, ("paths",)),
     ),
     handles=(
-        Handle(
-            "sight",
-            "blend",
-            "Line of sight",
-            drives=("t",),
-            at=sight,
-            pull=sight_pulled,
-            role="camera",
-        ),
+        Handle("sight", "blend", "Line of sight", ("t",), sight, sight_pulled, role="camera"),
         Handle(
             "progress",
             "progress",

@@ -124,16 +124,8 @@ SCENE = Scene(
         Stage("picture", picture, ("defocus",)),
     ),
     (
-        Handle(
-            "aim",
-            "picture",
-            "Object to focus on",
-            drives=("focus",),
-            at=middle,
-            pull=focus_on,
-            reach="aim",
-        ),
-        Handle("focus", "picture", "Focus", drives=("focus",), at=focus_at, role="ray"),
+        Handle("aim", "picture", "Object to focus on", ("focus",), middle, focus_on, reach="aim"),
+        Handle("focus", "picture", "Focus", ("focus",), focus_at, role="ray"),
     ),
     accuracy=Accuracy(levels=columns(200, 400, COLUMNS)),
     parameters=parameters,

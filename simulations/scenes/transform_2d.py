@@ -229,7 +229,7 @@ SCENE = Scene(
             ),
             role="world",
         ),
-        Handle("image", "plane", "Image of P", drives=("amount",), at=image_at, role="image"),
+        Handle("image", "plane", "Image of P", ("amount",), image_at, role="image"),
         Handle(
             "family",
             "hierarchy",

@@ -39,13 +39,4 @@ def turning[S: ViewSettings](panel: str) -> Handle[S]:
     at: Callable[..., Point] = eye
     pull: Callable[..., Mapping[str, float]] = eye_pulled
     drives = ("azimuth", "elevation")
-    return Handle(
-        "view",
-        panel,
-        "View",
-        drives=drives,
-        at=at,
-        pull=pull,
-        reach="drag",
-        reversed=("elevation",),
-    )
+    return Handle("view", panel, "View", drives, at, pull, reach="drag", reversed=("elevation",))

@@ -257,16 +257,9 @@ def fold_at(settings: Settings, _outputs: Outputs) -> Point:
 F = ("frequency",)
 # The pulls save a search that would sample a picture for each frequency.
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("frequency", "spectrum", "Frequency", drives=F, at=wave_at, reach="press", role="world"),
+    Handle("frequency", "spectrum", "Frequency", F, wave_at, reach="press", role="world"),
     Handle(
-        "crest",
-        "row",
-        "Crest of the wave",
-        drives=F,
-        at=crest_at,
-        pull=crest_pulled,
-        role="world",
-        reversed=F,
+        "crest", "row", "Crest of the wave", F, crest_at, crest_pulled, role="world", reversed=F
     ),
     Handle(
         "stripes",
@@ -278,10 +271,8 @@ HANDLES: tuple[Handle[Settings], ...] = (
         reach="drag",
         reversed=("phase",),
     ),
-    Handle(
-        "ring", "picture", "Ring at Nyquist", drives=F, at=ring_at, pull=ring_pulled, role="camera"
-    ),
-    Handle("nyquist", "spectrum", "Limit at Nyquist", drives=("rate",), at=fold_at, role="camera"),
+    Handle("ring", "picture", "Ring at Nyquist", F, ring_at, ring_pulled, role="camera"),
+    Handle("nyquist", "spectrum", "Limit at Nyquist", ("rate",), fold_at, role="camera"),
 )
 SCENE = Scene(
     "aliasing",

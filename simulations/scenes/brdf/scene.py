@@ -276,8 +276,8 @@ HANDLES: tuple[Handle[Settings], ...] = (
         pull=materials.material_at,
         role="ray",
     ),
-    Handle("lamp", "lobe", "Lamp", drives=LIGHT_ANGLE, at=lamp_at, role="light"),
-    Handle("eye", "lobe", "Camera", drives=VIEW_ANGLE, at=eye_at, role="camera"),
+    Handle("lamp", "lobe", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
+    Handle("eye", "lobe", "Camera", VIEW_ANGLE, eye_at, role="camera"),
     Handle(  # the camera is fixed in front of the ball; the normal is turned away from it
         "probe",
         "camera",

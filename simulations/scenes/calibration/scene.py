@@ -236,13 +236,7 @@ SCENE = Scene(
             role="image",
         ),
         Handle(
-            "model",
-            "detail",
-            "Model of the lens",
-            drives=("lens",),
-            at=model_at,
-            pull=model_pulled,
-            role="error",
+            "model", "detail", "Model of the lens", ("lens",), model_at, model_pulled, role="error"
         ),
         Handle(
             "left-out",

@@ -230,24 +230,13 @@ SCENE = Scene(
     STAGES,
     (
         Handle(
-            "aim",
-            "photograph",
-            "Object to focus on",
-            drives=("focus",),
-            at=middle,
-            pull=focus_on,
-            reach="aim",
+            "aim", "photograph", "Object to focus on", ("focus",), middle, focus_on, reach="aim"
         ),
-        Handle("focus", "plan", "Distance in focus", drives=("focus",), at=focus_at, role="ray"),
+        Handle("focus", "plan", "Distance in focus", ("focus",), focus_at, role="ray"),
         Handle(
-            "edge",
-            "plan",
-            "Edge of the field of view",
-            drives=("focal_length",),
-            at=edge_at,
-            role="camera",
+            "edge", "plan", "Edge of the field of view", ("focal_length",), edge_at, role="camera"
         ),
-        Handle("lamp", "plan", "Lamp", drives=("light_angle",), at=lamp_at, role="light"),
+        Handle("lamp", "plan", "Lamp", ("light_angle",), lamp_at, role="light"),
     ),
     accuracy=Accuracy(levels=LEVELS, default="layers", estimate=estimate, unit="codes"),
     parameters=parameters,

@@ -196,21 +196,11 @@ def focus_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
 
 APERTURE, FOCUS = ("aperture",), ("focus",)
 HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("aim", "picture", "Object to focus on", FOCUS, middle, focus_on, reach="aim"),
+    Handle("floor", "picture", "Plane of focus", FOCUS, floor_mark, role="ray"),
+    Handle("focus", "lens", "Point in focus", FOCUS, focus_at, role="ray", reversed=FOCUS),
     Handle(
-        "aim", "picture", "Object to focus on", drives=FOCUS, at=middle, pull=focus_on, reach="aim"
-    ),
-    Handle("floor", "picture", "Plane of focus", drives=FOCUS, at=floor_mark, role="ray"),
-    Handle(
-        "focus", "lens", "Point in focus", drives=FOCUS, at=focus_at, role="ray", reversed=FOCUS
-    ),
-    Handle(
-        "rim",
-        "lens",
-        "Rim of the opening",
-        drives=APERTURE,
-        at=rim_mark,
-        role="camera",
-        reversed=APERTURE,
+        "rim", "lens", "Rim of the opening", APERTURE, rim_mark, role="camera", reversed=APERTURE
     ),
 )
 SCENE = Scene(

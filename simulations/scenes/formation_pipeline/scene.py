@@ -339,8 +339,8 @@ def ledger_pulled(_settings: Settings, place: Point) -> dict[str, float]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("marker", "way", "Point", drives=("station",), at=marker, reach="press", role="ray"),
-    Handle("camera", "way", "Camera", drives=("distance",), at=lens_foot, role="camera"),
+    Handle("marker", "way", "Point", ("station",), marker, reach="press", role="ray"),
+    Handle("camera", "way", "Camera", ("distance",), lens_foot, role="camera"),
     Handle(
         "line",
         "ledger",

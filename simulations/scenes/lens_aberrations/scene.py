@@ -237,9 +237,9 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
 
 RIM, STOP = ("rim",), ("stop",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("stop", "lens", "Aperture stop", drives=STOP, at=stop_mark, reversed=STOP),
-    Handle("opening", "lens", "Edge of the opening", drives=("aperture",), at=opening_mark),
-    Handle("rim", "lens", "Rim", drives=RIM, at=rim_mark, role="camera", reversed=RIM),
+    Handle("stop", "lens", "Aperture stop", STOP, stop_mark, reversed=STOP),
+    Handle("opening", "lens", "Edge of the opening", ("aperture",), opening_mark),
+    Handle("rim", "lens", "Rim", RIM, rim_mark, role="camera", reversed=RIM),
 )
 SCENE = Scene(
     "lens-aberrations",

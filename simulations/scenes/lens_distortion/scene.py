@@ -164,7 +164,7 @@ def point_handle(
             return {"k1": growth / square - settings.k2 * square}
         return {"k2": growth / square**2 - settings.k1 / square}
 
-    return Handle(name, "picture", label, drives=(drives,), at=at, pull=pull, role="image")
+    return Handle(name, "picture", label, (drives,), at, pull, role="image")
 
 
 def crossing_at(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -190,12 +190,8 @@ SCENE = Scene(
     handles=(
         point_handle("point", "Inner point", INNER, "k1"),
         point_handle("outer", "Outer point", OUTER, "k2"),
-        Handle(
-            "crossing", "grid", "Image of a crossing", drives=("k1",), at=crossing_at, role="image"
-        ),
-        Handle(
-            "radius", "profile", "Radius in the image", drives=("k1",), at=radius_at, role="image"
-        ),
+        Handle("crossing", "grid", "Image of a crossing", ("k1",), crossing_at, role="image"),
+        Handle("radius", "profile", "Radius in the image", ("k1",), radius_at, role="image"),
     ),
     instrument=Instrument(photograph=PHOTOGRAPH_PX),
     accuracy=Accuracy(

@@ -285,7 +285,7 @@ SCENE = Scene(
             role="world",
             reversed=("point_x",),
         ),
-        Handle("plane", "top", "Image plane", drives=("focal_length",), at=plane_at, role="image"),
+        Handle("plane", "top", "Image plane", ("focal_length",), plane_at, role="image"),
         Handle(
             "image",
             "image",

@@ -250,9 +250,9 @@ def camera_at(settings: Settings, _outputs: Outputs) -> tuple[float, float]:
 
 LIGHT_ANGLE, PROBE, SHININESS = ("light_angle",), ("probe",), ("shininess",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("highlight", "camera", "Highlight", drives=LIGHT_ANGLE, at=highlight_at, role="ray"),
+    Handle("highlight", "camera", "Highlight", LIGHT_ANGLE, highlight_at, role="ray"),
     _ball.probe_on_ball("world"),
-    Handle("lamp", "lobe", "Lamp", drives=LIGHT_ANGLE, at=lamp_at, role="light"),
+    Handle("lamp", "lobe", "Lamp", LIGHT_ANGLE, lamp_at, role="light"),
     Handle(  # the camera is fixed; the point turns with its normal
         "camera", "lobe", "Camera", drives=PROBE, at=camera_at, role="camera", reversed=PROBE
     ),

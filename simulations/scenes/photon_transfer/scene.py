@@ -235,17 +235,7 @@ SCENE = Scene(
     Settings,
     draw,
     STAGES,
-    (
-        Handle(
-            "end",
-            "transfer",
-            "End of the fit",
-            drives=("most",),
-            at=end_at,
-            reach="press",
-            role="camera",
-        ),
-    ),
+    (Handle("end", "transfer", "End of the fit", ("most",), end_at, reach="press", role="camera"),),
     instrument=Instrument(
         photograph=Whole(SMALL, mosaic=True),
         read=read,

@@ -230,13 +230,11 @@ def curve_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
 
 BACK, VERGENCE = ("back",), ("vergence",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("ray", "lens", "Marked ray", drives=("height",), at=ray_at, role="ray"),
-    Handle("front", "lens", "Front surface", drives=("front",), at=front_at, role="camera"),
-    Handle("back", "lens", "Back surface", drives=BACK, at=back_at, role="camera", reversed=BACK),
-    Handle(
-        "object", "lens", "Object", drives=VERGENCE, at=object_at, role="world", reversed=VERGENCE
-    ),
-    Handle("opening", "aberration", "Edge of the opening", drives=("opening",), at=opening_at),
+    Handle("ray", "lens", "Marked ray", ("height",), ray_at, role="ray"),
+    Handle("front", "lens", "Front surface", ("front",), front_at, role="camera"),
+    Handle("back", "lens", "Back surface", BACK, back_at, role="camera", reversed=BACK),
+    Handle("object", "lens", "Object", VERGENCE, object_at, role="world", reversed=VERGENCE),
+    Handle("opening", "aberration", "Edge of the opening", ("opening",), opening_at),
     Handle(
         "curve",
         "aberration",

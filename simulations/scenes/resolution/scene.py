@@ -240,15 +240,8 @@ SCENE = Scene(
             role="camera",
             reversed=("pitch",),
         ),
-        Handle(
-            "cutoff",
-            "picture",
-            "Circle of the cut-off",
-            drives=("aperture",),
-            at=cutoff_at,
-            role="ray",
-        ),
-        Handle("spot", "spot", "Edge of the spot", drives=("aperture",), at=spot_at, role="ray"),
+        Handle("cutoff", "picture", "Circle of the cut-off", ("aperture",), cutoff_at, role="ray"),
+        Handle("spot", "spot", "Edge of the spot", ("aperture",), spot_at, role="ray"),
         Handle(
             "wave",
             "curves",

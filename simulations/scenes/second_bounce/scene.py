@@ -269,16 +269,9 @@ def plotted_at(settings: Settings, outputs: Outputs) -> tuple[float, float]:
 
 LIGHT, PLACE = ("light_angle",), ("place",)
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("lamp-in-room", "picture", "Lamp", drives=LIGHT, at=lamp_in_room, role="light"),
-    Handle(
-        "point-in-room",
-        "picture",
-        "Point on the floor",
-        drives=PLACE,
-        at=point_in_room,
-        role="image",
-    ),
-    Handle("plotted", "profile", "Point on the floor", drives=PLACE, at=plotted_at, role="ray"),
+    Handle("lamp-in-room", "picture", "Lamp", LIGHT, lamp_in_room, role="light"),
+    Handle("point-in-room", "picture", "Point on the floor", PLACE, point_in_room, role="image"),
+    Handle("plotted", "profile", "Point on the floor", PLACE, plotted_at, role="ray"),
 )
 SCENE = Scene(
     "second-bounce",

@@ -349,15 +349,7 @@ SCENE = Scene(
             reach="press",
             role="image",
         ),
-        Handle(
-            "patch",
-            "wedge",
-            "Patch to look at",
-            drives=("patch",),
-            at=middle,
-            pull=patch_pulled,
-            reach="aim",
-        ),
+        Handle("patch", "wedge", "Patch to look at", ("patch",), middle, patch_pulled, reach="aim"),
     ),
     instrument=Instrument(photograph=PHOTOGRAPH_PX),
     accuracy=Accuracy(

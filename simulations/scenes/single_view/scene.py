@@ -218,22 +218,10 @@ SCENE = Scene(
             for end in range(2 * MOST)
         ),
         Handle(
-            "add",
-            "picture",
-            "New line",
-            drives=("lines",),
-            at=lambda *_: None,
-            pull=added,
-            reach="aim",
+            "add", "picture", "New line", ("lines",), at=lambda *_: None, pull=added, reach="aim"
         ),
         Handle(
-            "clear",
-            "loupe",
-            "All lines",
-            drives=("lines",),
-            at=lambda *_: None,
-            pull=cleared,
-            reach="aim",
+            "clear", "loupe", "All lines", ("lines",), at=lambda *_: None, pull=cleared, reach="aim"
         ),
     ),
     instrument=Instrument(

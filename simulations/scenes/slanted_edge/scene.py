@@ -257,18 +257,8 @@ SCENE = Scene(
     draw,
     STAGES,
     (
-        Handle(
-            "end", "picture", "Edge", drives=("angle",), at=end_at, pull=end_pulled, role="world"
-        ),
-        Handle(
-            "corner",
-            "picture",
-            "Corner",
-            drives=CORNER,
-            at=corner_at,
-            pull=corner_pulled,
-            role="image",
-        ),
+        Handle("end", "picture", "Edge", ("angle",), end_at, end_pulled, role="world"),
+        Handle("corner", "picture", "Corner", CORNER, corner_at, corner_pulled, role="image"),
         Handle(
             "rectangle",
             "picture",
@@ -279,22 +269,10 @@ SCENE = Scene(
             reach="press",
             role="image",
         ),
-        Handle(
-            "spot",
-            "line",
-            "Lens’s spot",
-            drives=("aperture",),
-            at=spot_at,
-            pull=spot_pulled,
-            role="light",
-        ),
-        Handle(
-            "wave", "waves", "Wave", drives=("wave",), at=wave_at, pull=wave_pulled, role="image"
-        ),
-        Handle("keep", "line", "This place", drives=("kept",), at=nowhere, pull=keep, reach="aim"),
-        Handle(
-            "forget", "waves", "All places", drives=("kept",), at=nowhere, pull=forget, reach="aim"
-        ),
+        Handle("spot", "line", "Lens’s spot", ("aperture",), spot_at, spot_pulled, role="light"),
+        Handle("wave", "waves", "Wave", ("wave",), wave_at, wave_pulled, role="image"),
+        Handle("keep", "line", "This place", ("kept",), nowhere, keep, reach="aim"),
+        Handle("forget", "waves", "All places", ("kept",), nowhere, forget, reach="aim"),
     ),
     instrument=Instrument(
         photograph=Whole(MOST_MEGAPIXELS),

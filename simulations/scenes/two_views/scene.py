@@ -191,24 +191,9 @@ SCENE = Scene(
     draw,
     (Stage("left", left_photograph), Stage("right", right_photograph)),
     handles=(
-        Handle(
-            "lamp",
-            "plan",
-            "Lamp",
-            drives=("depth", "left_x"),
-            at=lamp_at,
-            pull=lamp_moved,
-            role="world",
-        ),
-        Handle("camera", "plan", "Right camera", drives=("baseline",), at=camera_at, role="camera"),
-        Handle(
-            "axis",
-            "plan",
-            "Axis of the right camera",
-            drives=("toe_in",),
-            at=axis_at,
-            role="camera",
-        ),
+        Handle("lamp", "plan", "Lamp", ("depth", "left_x"), lamp_at, lamp_moved, role="world"),
+        Handle("camera", "plan", "Right camera", ("baseline",), camera_at, role="camera"),
+        Handle("axis", "plan", "Axis of the right camera", ("toe_in",), axis_at, role="camera"),
         turning("plan"),
         Handle(
             "left",

@@ -261,24 +261,10 @@ SCENE = Scene(
     draw,
     STAGES,
     (
-        Handle("speed", "wheel", "Speed", drives=("speed",), at=speed_at, role="world"),
+        Handle("speed", "wheel", "Speed", ("speed",), speed_at, role="world"),
+        Handle("spoke", "wheel", "Marked spoke", ("time",), spoke_at, spoke_pulled, role="ray"),
         Handle(
-            "spoke",
-            "wheel",
-            "Marked spoke",
-            drives=("time",),
-            at=spoke_at,
-            pull=spoke_pulled,
-            role="ray",
-        ),
-        Handle(
-            "time",
-            "track",
-            "Row of frames",
-            drives=("time",),
-            at=time_at,
-            reach="drag",
-            reversed=("time",),
+            "time", "track", "Row of frames", ("time",), time_at, reach="drag", reversed=("time",)
         ),
     ),
     accuracy=Accuracy(
