@@ -107,11 +107,11 @@ def double_arrow(start: Point, end: Point, style: str = "", head: float = 7.0) -
     return arrow(middle, start, style, head) + arrow(middle, end, style, head)
 
 
-def dimension(start: Point, end: Point, style: str = "", tick: float = 5.0) -> str:
+def dimension(start: Point, end: Point, style: str = "") -> str:
     """A dimension line: arrow heads at both ends, each at a short cross stroke."""
     dx, dy = end[0] - start[0], end[1] - start[1]
     length = math.hypot(dx, dy)
-    across = (-dy / length * tick, dx / length * tick)
+    across = (-5.0 * dy / length, 5.0 * dx / length)
     strokes = [
         [(place[0] - across[0], place[1] - across[1]), (place[0] + across[0], place[1] + across[1])]
         for place in (start, end)

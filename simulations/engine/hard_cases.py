@@ -131,8 +131,10 @@ def as_expected(table: HardCases, expected: str, got: Any) -> bool:
 def show(value: Any) -> str:
     """An answer as the book prints it: numbers to five digits, exceptions with their message."""
     match value:
+        case ValueError():
+            return f"{type(value).__name__}: {value}"
         case BaseException():
-            return type(value).__name__ if not isinstance(value, ValueError) else _refusal(value)
+            return type(value).__name__
         case tuple():
             return ", ".join(show(item) for item in value)
         case np.ndarray() if value.size > LONGEST_SHOWN:
@@ -150,10 +152,6 @@ def show(value: Any) -> str:
         case float() | np.floating():
             return f"{float(value) + 0.0:.5g}"  # adding 0 makes −0 a plain 0
     return str(value)
-
-
-def _refusal(error: ValueError) -> str:
-    return f"{type(error).__name__}: {error}"
 
 
 def _without_rounding(array: Any) -> Any:

@@ -9,12 +9,14 @@ from simulations.models.arrays import Floats
 WEAKEST = 1e-9
 """Share of the best determined unknown's information that every unknown is damped by at least."""
 
+ROUNDS = 60
+"""Most steps tried."""
+
 
 def levenberg_marquardt[S](
     residuals: Callable[[S], tuple[Floats, Floats]],
     moved: Callable[[S, Floats], S],
     start: S,
-    rounds: int = 60,
 ) -> S:
     """The state near ``start`` whose residuals have the least sum of squares.
 
@@ -25,13 +27,12 @@ def levenberg_marquardt[S](
     ----------
     residuals : gives r (N,) and its derivatives J (N, M) by a step from a state.
     moved : the state a step (M,) away.
-    rounds : most steps tried.
 
     Source: Marquardt, SIAM J. Appl. Math. 11, 1963; Hartley and Zisserman, 2nd ed., A6.2.
     """
     state, (r, J) = start, residuals(start)
     damping = 1e-3
-    for _ in range(rounds):
+    for _ in range(ROUNDS):
         information, slope = J.T @ J, J.T @ r
         weights = np.diag(information)
         weights = np.maximum(weights, WEAKEST * max(float(weights.max()), WEAKEST))

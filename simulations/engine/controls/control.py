@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import field
+from functools import partial
 from typing import Any
 
 type Value = float | int | str | bool
@@ -11,9 +12,10 @@ class ControlError(ValueError):
     """An illegal value of a control. The message states the value and what is legal."""
 
 
-def setting(default: Value, control: Callable[..., object]) -> Any:
-    """The field of a dataclass of settings; ``control(name=…)`` makes its control."""
-    return field(default=default, metadata={"control": control})
+def setting(default: Value, control: Callable[..., object], /, **details: object) -> Any:
+    """The field of a dataclass of settings; ``control(name=…)``, with the details, makes its
+    control."""
+    return field(default=default, metadata={"control": partial(control, **details)})
 
 
 def suggestion(given: object, legal: Mapping[str, object]) -> str:

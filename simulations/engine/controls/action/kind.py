@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting
 
@@ -82,10 +81,5 @@ def action(
     *labels: str, drives: str = "", effect: str = "", seconds: float = 8.0, arrival: bool = False
 ) -> int:
     """A button, whose value is the number of presses modulo the number of labels."""
-    made: int = setting(
-        0,
-        partial(
-            Action, labels=labels, drives=drives, effect=effect, seconds=seconds, arrival=arrival
-        ),
-    )
-    return made
+    motion = {"drives": drives, "effect": effect, "seconds": seconds, "arrival": arrival}
+    return setting(0, Action, labels=labels, **motion)

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting, suggestion
 
@@ -56,5 +55,4 @@ def choice(label: str, options: Mapping[str, str], default: str = "") -> str:
     """One of several named options, value to label. The default is the first unless another is
     named."""
     start = default or next(iter(options))
-    made: str = setting(start, partial(Choice, label=label, default=start, options=options))
-    return made
+    return setting(start, Choice, label=label, default=start, options=options)

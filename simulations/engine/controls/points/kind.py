@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from typing import Self
 
 from simulations.engine.controls.control import ControlError, Value, setting
@@ -111,8 +110,5 @@ def points(
 ) -> str:
     """Lists of points in a picture, which handles move; buttons pull other handles, which add
     points or take them away."""
-    made: str = setting(
-        default,
-        partial(Points, label=label, lists=lists, most=most, buttons=buttons, default=default),
-    )
-    return made
+    limits = {"lists": lists, "most": most}
+    return setting(default, Points, label=label, **limits, buttons=buttons, default=default)

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting
 from simulations.engine.frame import format_number
@@ -135,18 +134,6 @@ def slider[N: (int, float)](
 ) -> N:
     """A number in a closed range; an ``int`` if the field is annotated as one. Where `arrival` is
     given, it moves there and back when its figure is first seen."""
-    made: N = setting(
-        default,
-        partial(
-            Slider,
-            label=label,
-            default=default,
-            minimum=minimum,
-            maximum=maximum,
-            step=step,
-            unit=unit,
-            prefix=prefix,
-            arrival=arrival,
-        ),
-    )
-    return made
+    numbers = {"default": default, "minimum": minimum, "maximum": maximum, "step": step}
+    affixes = {"unit": unit, "prefix": prefix}
+    return setting(default, Slider, label=label, **numbers, **affixes, arrival=arrival)

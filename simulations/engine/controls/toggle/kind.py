@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 from simulations.engine.controls.control import ControlError, Value, setting
 
@@ -43,5 +42,4 @@ class Toggle:
 
 def toggle(label: str, default: bool = False) -> bool:
     """On or off."""
-    made: bool = setting(default, partial(Toggle, label=label, default=default))
-    return made
+    return setting(default, Toggle, label=label, default=default)
