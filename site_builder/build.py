@@ -55,7 +55,6 @@ from site_builder.sources.book import read_book
 
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
-type Write = Callable[[Files, Path], object]
 type Warn = Callable[[Diagnostic], None]
 
 
@@ -86,10 +85,10 @@ class Options:
     """Where its sources can be read, likewise."""
 
 
-def build_site(options: Options, out: Path, *, write: Write = write_site) -> Files:
+def build_site(options: Options, out: Path) -> Files:
     """Build the book into the folder ``out``. Raises `BuildError`."""
     files = render_site(options)
-    write(files, out)
+    write_site(files, out)
     return files
 
 

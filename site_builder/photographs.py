@@ -69,7 +69,7 @@ def credits_of(root: Path) -> dict[str, Credit]:
     return {name: Credit(**fields) for name, fields in found.items()}
 
 
-def prepare_photographs(root: Path, store: Path | None = None) -> None:
+def prepare_photographs(root: Path) -> None:
     """Write the modules that are older than their list, or missing.
 
     Raises `RuntimeFetchError` where a photograph is neither cached nor to be had.
@@ -84,7 +84,7 @@ def prepare_photographs(root: Path, store: Path | None = None) -> None:
     for package, some in groupby(stale.items(), key=lambda item: item[1].package):
         wanted = dict(some)
         source = (package, members(package, {each.pinned: each.file for each in wanted.values()}))
-        files = fetch_files([each.pinned for each in wanted.values()], [source], store)
+        files = fetch_files([each.pinned for each in wanted.values()], [source])
         for name, each in wanted.items():
             text = module_of(each, files[each.pinned.name])
             replace_file(places[name], text.encode())

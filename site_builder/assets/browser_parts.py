@@ -64,19 +64,15 @@ def pack_for_browser(root: Path, book: Book, warn: Warn, *, compiled: bool) -> R
         path, _, line = error.place.rpartition(":")
         expected = f"its standard library, numpy, and 'packages' of [runtime] in {FILE_NAME}"
         message = f"{error.message}; legal: {expected}"
-        raise BuildError([Diagnostic(path=path, line=int(line), message=message)]) from error
+        raise BuildError([Diagnostic(path, int(line), message)]) from error
     except SyntaxError as error:  # in a module that no chapter shows
         path, _, line = place_of(error).rpartition(":")
-        raise BuildError(
-            [Diagnostic(path=path, line=int(line), message=f"no Python: {error.msg}")]
-        ) from error
+        raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
     sizes = (file.stat().st_size for name, file in bundle.files.items() if name.startswith(PACKAGE))
     weight = sum(sizes)
-    told = (
-        f"packages of {weight / 1e6:.1f} MB, for which readers of the figures that import them wait"
-    )
-    heavy = [f"{told}; better: at most {MOST_PACKAGES / 1e6:g} MB"] * (weight > MOST_PACKAGES)
-    for message in (*differing(bundle.packages), *heavy):
+    wait = f"{weight / 1e6:.1f} MB, for which readers of the figures that import them wait"
+    heavy = f"packages of {wait}; better: at most {MOST_PACKAGES / 1e6:g} MB"
+    for message in (*differing(bundle.packages), *([heavy] if weight > MOST_PACKAGES else [])):
         warn(_about_packages(root, message, fails=False))
     return bundle
 
@@ -88,9 +84,7 @@ MOST_PACKAGES = 5_000_000
 def _about_packages(root: Path, message: str, *, fails: bool = True) -> Diagnostic:
     """A message about the packages that the outline declares."""
     _, toml = read_settings(Sources(root))
-    return Diagnostic(
-        path=FILE_NAME, line=toml.line("runtime", "packages"), message=message, fails=fails
-    )
+    return Diagnostic(FILE_NAME, toml.line("runtime", "packages"), message, fails=fails)
 
 
 def _select(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
@@ -124,14 +118,7 @@ def browser_parts(
             return make()
         except NodeError as error:
             message = f"{lost}; its packages could not be had from npm: {error}"
-            warn(
-                Diagnostic(
-                    path=f"site_builder/{name}/package-lock.json",
-                    line=1,
-                    message=message,
-                    fails=False,
-                )
-            )
+            warn(Diagnostic(f"site_builder/{name}/package-lock.json", 1, message, fails=False))
             return without
 
     library, editor, decoder = SearchLibrary({}), EditorBundle(), RawDecoder({})
@@ -160,11 +147,7 @@ def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple
         return "", {}
     if bundle.snapshot_error:
         message = f"figures start later at a first visit: {bundle.snapshot_error}"
-        warn(
-            Diagnostic(
-                path="site_builder/runtime/snapshot.mjs", line=1, message=message, fails=False
-            )
-        )
+        warn(Diagnostic("site_builder/runtime/snapshot.mjs", 1, message, fails=False))
     if reload:
         return RUNTIME_NOW, {RUNTIME_NOW + name: file for name, file in bundle.files.items()}
     return hashed_folder("runtime", dict(bundle.files))

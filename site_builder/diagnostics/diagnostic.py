@@ -8,7 +8,7 @@ import json
 import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence, Sized
-from dataclasses import dataclass, field
+from dataclasses import KW_ONLY, dataclass, field
 from pathlib import Path
 
 from simulations.engine.message import legible
@@ -21,7 +21,7 @@ MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
 
 
-@dataclass(frozen=True, slots=True, order=True, kw_only=True)
+@dataclass(frozen=True, slots=True, order=True)
 class Diagnostic:
     """One mistake, or one warning."""
 
@@ -31,6 +31,7 @@ class Diagnostic:
     """Line, counted from 1."""
     message: str
     """What was found; what is legal, or what would be better."""
+    _: KW_ONLY
     fails: bool = True
     """Whether the book cannot be built with it; else it is a warning."""
     raised_at: str = field(default="", compare=False)
@@ -67,18 +68,16 @@ class Diagnostics:
     ) -> None:
         """``error``: what an author's code raised. It is reported at the line that did, if that is
         known, and once, however often it is met."""
-        found = Diagnostic(path=path, line=line, message=message, spoils=spoils)
+        found = Diagnostic(path, line, message, spoils=spoils)
         self.found.append(_at_its_source(found, error) if error else found)
 
     def add_of(self, module: str, path: str, line: int, message: str) -> None:
         """A mistake of an author's module, at the line that has what the message quotes, once."""
         place, _, own = place_in(module, message).rpartition(":")
-        found = Diagnostic(path=path, line=line, message=message)
+        found = Diagnostic(path, line, message)
         raised_at = f"{path}:{line}"
         self.found.append(
-            Diagnostic(path=place, line=int(own), message=message, raised_at=raised_at)
-            if place
-            else found
+            Diagnostic(place, int(own), message, raised_at=raised_at) if place else found
         )
 
     def warn(self, path: str, line: int, message: str) -> None:
@@ -124,12 +123,8 @@ def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic
         return found
     path, _, line = place_of(error).rpartition(":")
     at = f", {settings}" if (settings := settings_of(error)) else ""
-    return Diagnostic(
-        path=path,
-        line=int(line),
-        message=_message(error),
-        raised_at=f"{found.path}:{found.line}{at}",
-    )
+    raised_at = f"{found.path}:{found.line}{at}"
+    return Diagnostic(path, int(line), _message(error), raised_at=raised_at)
 
 
 def counted(found: Sized, name: str) -> str:

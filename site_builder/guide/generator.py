@@ -187,14 +187,14 @@ def directive_page(directives: Sequence[Directive[Any]] = DIRECTIVES) -> str:
     )
 
 
-def role_page(roles: Sequence[Role] = ROLES, examples: Path = EXAMPLES) -> str:
+def role_page() -> str:
     """A section for each role."""
-    written = read_examples(examples)
+    written = read_examples(EXAMPLES)
     return _chapter(
         "Roles",
         "What stands within a sentence: references, terms, numbers that models compute, colours.",
         "A role is written ``{name}`words` ``.",
-        [_role_section(role, written) for role in roles],
+        [_role_section(role, written) for role in ROLES],
     )
 
 
@@ -372,12 +372,10 @@ def write_guide(folder: Path) -> None:
             file.write_bytes(data)
 
 
-FOLDER = Path("build", "guide")
-
-
-def run_guide(place: tuple[str, int] | None, *, runtime: bool = True, folder: Path = FOLDER) -> int:
+def run_guide(place: tuple[str, int] | None, *, runtime: bool) -> int:
     """Serve it at ``place``, host and port, or only build it; the exit code of that."""
-    book, site = folder.resolve() / "book", folder.resolve() / "site"
+    folder = Path("build", "guide").resolve()
+    book, site = folder / "book", folder / "site"
     write_guide(book)
     how = ["serve", "--host", place[0], "--port", str(place[1])] if place else ["build"]
     command = [sys.executable, "-m", "site_builder", *how, "--out", str(site)]

@@ -4,7 +4,7 @@ Cutting takes seconds, hence a cache keyed by everything it depends on.
 """
 
 import io
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib.util import find_spec
 from itertools import groupby
@@ -86,7 +86,7 @@ SMALL_CAPITALS = ("c2sc", "smcp")
 FORMULA_FEATURES = ("ccmp", "dtls", "flac", "kern", "mark", "mkmk", "ssty")
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Face:
     """One web font: its source and its subset."""
 
@@ -106,42 +106,19 @@ class Face:
     """OpenType features of the subset."""
 
 
-def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:
-    source_path = f"files/SourceSerifPro-{source}.ttf"
-    features = BASIC_FEATURES + extra_features
-    return Face(
-        file=file,
-        package="font_source_serif_pro",
-        source=source_path,
-        family="Book Serif",
-        style=style,
-        characters=TEXT,
-        features=features,
-    )
+def _serif(file: str, cut: str, style: str, *extra_features: str) -> Face:
+    source, features = f"files/SourceSerifPro-{cut}.ttf", BASIC_FEATURES + extra_features
+    return Face(file, "font_source_serif_pro", source, "Book Serif", style, features=features)
 
 
-def _sans(file: str, source: str, style: str) -> Face:
-    source_path = f"files/SourceSansPro-{source}.ttf"
-    return Face(
-        file=file,
-        package="font_source_sans_pro",
-        source=source_path,
-        family="Book Sans",
-        style=style,
-    )
+def _sans(file: str, cut: str, style: str) -> Face:
+    source = f"files/SourceSansPro-{cut}.ttf"
+    return Face(file, "font_source_sans_pro", source, "Book Sans", style)
 
 
 def _maths(file: str, characters: frozenset[int]) -> Face:
-    source = "fonts/STIXTwoMath-Regular.ttf"
-    return Face(
-        file=file,
-        package="ziamath",
-        source=source,
-        family="Book Maths",
-        style="Regular",
-        characters=characters,
-        features=FORMULA_FEATURES,
-    )
+    source, features = "fonts/STIXTwoMath-Regular.ttf", FORMULA_FEATURES
+    return Face(file, "ziamath", source, "Book Maths", "Regular", characters, features)
 
 
 FACES = (
@@ -229,23 +206,15 @@ RECIPE = 3
 """Counts changes of `cut`, so that a cache filled by an earlier version is not used."""
 
 
-def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Mapping[str, bytes]:
+def subset_fonts() -> Mapping[str, bytes]:
     """The book's web fonts by file name, ready to be written beside the style sheet.
-
-    Parameters
-    ----------
-    faces
-        What is cut.
-    cache
-        Folder for cut faces; by default in the user's cache folder.
 
     Raises
     ------
     FileNotFoundError
         A package that should carry a face does not.
     """
-    folder = cache or cache_folder() / "fonts"
-    return {face.file: _cut_once(face, folder) for face in faces}
+    return {face.file: _cut_once(face, cache_folder() / "fonts") for face in FACES}
 
 
 def _cut_once(face: Face, folder: Path) -> bytes:

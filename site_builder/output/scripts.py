@@ -76,9 +76,8 @@ def bundle_scripts(sources: Mapping[str, Content], entry: str, *others: str) -> 
     """
     given = [(name, content_hash(sources[name])) for name in sorted(sources)]
     tool = [file_hash(path) for path in (DRIVER, PACKAGES / "package-lock.json")]
-    return cached_result(
-        "scripts", (entry, others, given, tool), lambda: _bundle(sources, entry, others)
-    )
+    made_of = (entry, others, given, tool)
+    return cached_result("scripts", made_of, lambda: _bundle(sources, entry, others))
 
 
 def _bundle(sources: Mapping[str, Content], entry: str, others: tuple[str, ...]) -> Bundle:
@@ -93,17 +92,11 @@ def _bundle(sources: Mapping[str, Content], entry: str, others: tuple[str, ...])
             run_node([str(DRIVER), *places, entry, *others], given)
         except NodeError as error:
             message = f"cannot bundle the scripts of pages: {error}"
-            raise BuildError(
-                [Diagnostic(path=f"static/{entry}", line=1, message=message)]
-            ) from None
+            raise BuildError([Diagnostic(f"static/{entry}", 1, message)]) from None
         result = json.loads((out / "bundle.json").read_text(encoding="utf-8"))
         if result["errors"]:
             raise BuildError(
-                Diagnostic(
-                    path=normpath(f"static/{error['path']}"),
-                    line=error["line"],
-                    message=error["text"],
-                )
+                Diagnostic(normpath(f"static/{error['path']}"), error["line"], error["text"])
                 for error in result["errors"]
             )
         files = {

@@ -105,17 +105,13 @@ def join_style_sheets(
     taken = {found[1]: str(folder / found[1]) for found in IMPORT.finditer(sheet)}
     wrong = [name for name, path in taken.items() if "/" in name or path not in files]
     if wrong:
-        legal = "legal: a style sheet beside this one"
+        lines = {name: sheet[: sheet.index(f'"{name}"')].count("\n") + 1 for name in wrong}
+        message = "cannot import {!r}; legal: a style sheet beside this one"
         raise BuildError(
-            Diagnostic(
-                path=f"static/{entry}",
-                line=sheet[: sheet.index(f'"{name}"')].count("\n") + 1,
-                message=f"cannot import {name!r}; {legal}",
-            )
-            for name in wrong
+            Diagnostic(f"static/{entry}", line, message.format(name))
+            for name, line in lines.items()
         )
     rest = {path: content for path, content in files.items() if path not in taken.values()}
-
     joined = IMPORT.sub(lambda found: content_bytes(files[taken[found[1]]]).decode("utf-8"), sheet)
     return {**rest, entry: (joined + more).encode("utf-8")}
 

@@ -24,19 +24,19 @@ SEARCH = {
 """Name, use and repository of each package that searches."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Licence:
     """One part of the site, and under which terms it is there."""
 
     part: str
-    version: str
     name: str
     """Short name of the licence."""
     use: str
     """What the book does with it."""
-    address: str
+    version: str = ""
+    address: str = ""
     """Where its source is."""
-    text: str
+    text: str = ""
 
 
 def gather_licences(
@@ -59,23 +59,12 @@ def gather_licences(
     code = "https://github.com/"
     terms = words("licences.book", code=settings.licence.code, text=settings.licence.text)
     text, use = _text_of(root / "LICENSE"), words("licences.this_book")
-    licences = [
-        Licence(part=settings.title, version="", name=terms, use=use, address="", text=text)
-    ]
+    licences = [Licence(settings.title, terms, use, text=text)]
     if PACKED.is_dir():  # the engine's, as a wheel; in its repository it is also the book's
         text = _packaged_text(DISTRIBUTION, "licenses/LICENSE")
         text = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book
-        engine = words("licences.engine")
-        licences.append(
-            Licence(
-                part=DISTRIBUTION,
-                version=__version__,
-                name="MIT",
-                use=engine,
-                address="",
-                text=text,
-            )
-        )
+        use = words("licences.engine")
+        licences.append(Licence(DISTRIBUTION, "MIT", use, __version__, text=text))
     if versions.pyodide:
         licences += _of_the_runtime(versions, words)
     for each in book_packages:
@@ -86,52 +75,23 @@ def gather_licences(
         licences.append(_licence_of(each, name, words(use), code + home))
     for shown in credits_of(root).values():
         use = words("licences.photograph", author=shown.author)
-        licences.append(
-            Licence(
-                part=shown.title,
-                version="",
-                name=shown.licence,
-                use=use,
-                address=shown.address,
-                text="",
-            )
-        )
+        licences.append(Licence(shown.title, shown.licence, use, address=shown.address))
     for each in decoder:
         use = words("licences.decoder", name=f"{each.name} {each.version}")
         home = f"{code}LibRaw/LibRaw"
-        licences.append(
-            Licence(
-                part="LibRaw", version="", name=each.license, use=use, address=home, text=each.text
-            )
-        )
+        licences.append(Licence("LibRaw", each.license, use, address=home, text=each.text))
     ofl = _packaged_text("font-source-serif-pro", "files/LICENSE.txt")
     body = ofl[max(ofl.find("This Font Software is licensed under"), 0) :]  # others hold its rights
     for part, use, home, text in (
         (words("licences.fonts_name"), "licences.fonts", "adobe-fonts", ofl),
         ("STIX Two Math", "licences.maths_font", "stipub/stixfonts", body),
     ):
-        licences.append(
-            Licence(
-                part=part,
-                version="",
-                name=OPEN_FONT,
-                use=words(use),
-                address=code + home,
-                text=text,
-            )
-        )
+        licences.append(Licence(part, OPEN_FONT, words(use), address=code + home, text=text))
     return tuple(licences)
 
 
 def _licence_of(package: Package, name: str, use: str, home: str) -> Licence:
-    return Licence(
-        part=name,
-        version=package.version,
-        name=package.license,
-        use=use,
-        address=home,
-        text=package.text,
-    )
+    return Licence(name, package.license, use, package.version, home, package.text)
 
 
 def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
@@ -140,27 +100,12 @@ def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
     psf = psf or _packaged_text("typing_extensions", "LICENSE")
     bsd = _packaged_text("numpy", "licenses/LICENSE.txt")
     use, home = words("licences.pyodide"), "https://github.com/pyodide/pyodide"
-    yield Licence(
-        part="Pyodide", version=versions.pyodide, name="MPL 2.0", use=use, address=home, text=mpl
-    )
+    yield Licence("Pyodide", "MPL 2.0", use, versions.pyodide, home, mpl)
     name, use = words("licences.cpython_name"), words("licences.cpython")
-    yield Licence(
-        part=name,
-        version=versions.python,
-        name="PSF License 2.0",
-        use=use,
-        address="https://www.python.org/",
-        text=psf,
-    )
+    home = "https://www.python.org/"
+    yield Licence(name, "PSF License 2.0", use, versions.python, home, psf)
     terms, use = words("licences.numpy_licence"), words("licences.numpy")
-    yield Licence(
-        part="NumPy",
-        version=versions.numpy,
-        name=terms,
-        use=use,
-        address="https://numpy.org/",
-        text=bsd,
-    )
+    yield Licence("NumPy", terms, use, versions.numpy, "https://numpy.org/", bsd)
 
 
 def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licence]:
@@ -173,9 +118,7 @@ def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licenc
     text = "\n\n\n".join(f"{', '.join(names)}\n\n{text}" for text, names in texts.items())
     terms = f" {words('licences.and')} ".join(sorted({package.license for package in packages}))
     name, use = words("licences.editor_name"), words("licences.editor")
-    yield Licence(
-        part=name, version="", name=terms, use=use, address="https://codemirror.net/", text=text
-    )
+    yield Licence(name, terms, use, address="https://codemirror.net/", text=text)
 
 
 def _packaged_text(package: str, ending: str) -> str:

@@ -55,15 +55,9 @@ def manifest(title: str, subtitle: str, assets: str, language: str = "en") -> by
     """The manifest, all addresses relative to the book's root."""
     icon = {"src": f"{assets}images/favicon.svg", "sizes": "any", "type": "image/svg+xml"}
     data = {
-        "lang": language,
-        "name": title,
-        "short_name": title,
-        "description": subtitle,
-        "start_url": "./",
-        "scope": "./",
-        "display": "minimal-ui",
-        "icons": [icon],
-    }
+        "lang": language, "name": title, "short_name": title, "description": subtitle,
+        "start_url": "./", "scope": "./", "display": "minimal-ui", "icons": [icon],
+    }  # fmt: skip
     return json.dumps(data, ensure_ascii=False, indent=1).encode()
 
 

@@ -2,7 +2,7 @@
 chapter shows where people share it, 1200 by 630 pixels."""
 
 from base64 import b64encode
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,7 +18,7 @@ from site_builder.figures.frames import as_png
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import book_or_engine_file
 from site_builder.markdown.directives.pictures import DrawnIllustration
-from site_builder.output.fonts import FACES, Face, source_file
+from site_builder.output.fonts import FACES, source_file
 from site_builder.output.style_sheets import style_of_drawings
 from site_builder.pages.environment import render_template
 from site_builder.pages.single_page import BOOK_CARD, card_path
@@ -42,9 +42,9 @@ class Fonts:
         return self.files[0]
 
 
-def uncut_fonts(faces: Sequence[Face] = FACES) -> Fonts:
-    """The files that ``faces`` are cut from, and the names of their families."""
-    paths = {face.file: source_file(face) for face in faces}
+def uncut_fonts() -> Fonts:
+    """The files that the web fonts are cut from, and the names of their families."""
+    paths = {face.file: source_file(face) for face in FACES}
     serif, sans = (_family(paths[f"{role}-regular.woff2"]) for role in ("serif", "sans"))
     return Fonts(tuple(paths.values()), serif, sans)
 
