@@ -25,15 +25,9 @@ SCENE: Scene[Any] = load_scene("camera")
 START: dict[str, Value] = {"aperture": 2.0, "k1": -0.1}
 """Settings at which no stage is neutral."""
 MOVES: dict[str, Value] = {
-    "noise_sigma": 6.0,
-    "exposure": 0.1,
-    "k1": -0.11,
-    "aperture": 2.1,
-    "light_angle": 41.0,
-    "focus": 3.3,
-    "focal_length": 51.0,
-    "back": 0.1,
-}
+    "noise_sigma": 6.0, "exposure": 0.1, "k1": -0.11, "aperture": 2.1, "light_angle": 41.0,
+    "focus": 3.3, "focal_length": 51.0, "back": 0.1,
+}  # fmt: skip
 """One step of each slider, from the cheapest to the costliest."""
 
 

@@ -231,15 +231,10 @@ def write_plain_page(folder: Path) -> None:
     for file in fetched.values():
         shutil.copyfile(file, folder / file.name)
     numpy = {
-        "name": "numpy",
-        "version": VERSIONS.numpy,
-        "file_name": NUMPY_WHEEL.name,
-        "sha256": NUMPY_WHEEL.sha256,
-        "install_dir": "site",
-        "package_type": "package",
-        "imports": ["numpy"],
-        "depends": [],
-    }
+        "name": "numpy", "version": VERSIONS.numpy, "file_name": NUMPY_WHEEL.name,
+        "sha256": NUMPY_WHEEL.sha256, "install_dir": "site", "package_type": "package",
+        "imports": ["numpy"], "depends": [],
+    }  # fmt: skip
     lock = {"info": LOCK_INFO, "packages": {"numpy": numpy}}
     (folder / "pyodide-lock.json").write_text(json.dumps(lock), encoding="utf-8")
     modules = book_modules(ROOT / "simulations")

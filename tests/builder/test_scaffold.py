@@ -32,12 +32,9 @@ from site_builder.scaffold.pieces import (
 )
 
 PIECES_MADE = (
-    ("chapter", "second-fall"),
-    ("scene", "two-balls"),
-    ("model", "air-drag"),
-    ("model", "mechanics/spring"),
-    ("ladder", "exponential"),
-)
+    ("chapter", "second-fall"), ("scene", "two-balls"), ("model", "air-drag"),
+    ("model", "mechanics/spring"), ("ladder", "exponential"),
+)  # fmt: skip
 MAKE_PIECES = """\
 import sys
 from site_builder.__main__ import main
@@ -80,14 +77,8 @@ def test_gallery_figure_works_under_a_new_name(
 
 
 PARTS = (
-    ".github",
-    "CHANGELOG.md",
-    "LICENSE",
-    "pyproject.toml",
-    "simulations",
-    "site_builder",
-    "static",
-)
+    ".github", "CHANGELOG.md", "LICENSE", "pyproject.toml", "simulations", "site_builder", "static",
+)  # fmt: skip
 """The parts of the repository in its wheel."""
 
 

@@ -63,16 +63,10 @@ CROWDED = """(more) => [...document.querySelectorAll("simulation-figure")].flatM
   return cells > most || numbers > mostNumbers ? [`${id}: ${cells}, ${numbers}`] : [];
 })"""
 MORE_IN_SIGHT = {
-    "figure-camera": (4, 1),
-    "figure-one-choice": (1, 2),
-    "figure-camera-pose": (1, 3),
-    "figure-jpeg": (3, 2),
-    "figure-single-view": (3, 3),
-    "figure-chequerboard": (2, 2),
-    "figure-your-lens": (3, 2),
-    "figure-your-edge": (3, 3),
-    "figure-your-noise": (1, 3),
-}
+    "figure-camera": (4, 1), "figure-one-choice": (1, 2), "figure-camera-pose": (1, 3),
+    "figure-jpeg": (3, 2), "figure-single-view": (3, 3), "figure-chequerboard": (2, 2),
+    "figure-your-lens": (3, 2), "figure-your-edge": (3, 3), "figure-your-noise": (1, 3),
+}  # fmt: skip
 """Controls and numbers of figures whose subject is how they act together, and of instruments."""
 SMALL_LABELS = """(least) => [...document.querySelectorAll(
     ":is(simulation-figure, .drawing) svg.overlay"

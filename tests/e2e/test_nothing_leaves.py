@@ -229,6 +229,7 @@ def test_damage_by_an_edit_is_undone_before_the_next(
     )
 
 
+WITH_ADDRESSES = ("fill", "stroke", "style", "filter", "mask", "clip-path", "cursor", "transform")
 DRAWINGS = (
     "<foreignObject><meta http-equiv='refresh' content='0;url=URL'/></foreignObject>",
     "<title><meta http-equiv='refresh' content='0;url=URL'/></title>",
@@ -243,16 +244,7 @@ DRAWINGS = (
     "<image href='data:image/svg+xml,&lt;svg&gt;&lt;use href=&quot;#a&quot;/&gt;&lt;/svg&gt;'/>",
     *(
         f"<rect {name}='{value}'/>"
-        for name in (
-            "fill",
-            "stroke",
-            "style",
-            "filter",
-            "mask",
-            "clip-path",
-            "cursor",
-            "transform",
-        )
+        for name in WITH_ADDRESSES
         for value in ("url(URL)", "Url(#p)", "u\\72 l(URL)", 'src("URL")', "var(--p)")
     ),
     "<rect style='background-image: image-set(\"URL\" 1x); --p: url(URL)' id='main'/>",

@@ -115,8 +115,8 @@ def test_text_that_fits_no_definition_is_refused(definition: str, text: str, lin
         assert (caught.value.definition, caught.value.line) == (STAGE, line)
 
 
-def reply_to(edits: dict[str, str], figure: str = "figure-edited") -> browser.EditedReply:
-    return browser.render_edited(figure, "jpeg", "{}", "", json.dumps(edits))
+def reply_to(edits: dict[str, str]) -> browser.EditedReply:
+    return browser.render_edited("figure-edited", "jpeg", "{}", "", json.dumps(edits))
 
 
 def problem_with(edits: dict[str, str]) -> Any:

@@ -375,119 +375,49 @@ def off_centre(rng: np.random.Generator) -> Scores:
 
 ROWS: dict[str, tuple[Callable[[np.random.Generator], Scores], int, dict[str, float]]] = {
     "pair of frames": (pair, 300, {"noise": 1.08, "pattern": 0.89, "row noise": 1.02}),
-    "straight sensor": (
-        straight_sensor,
-        100,
-        {
-            "gain": 0.90,
-            "read noise": 0.87,
-            "saturation": 0.90,
-            "PRNU": 1.03,
-            "DSNU": 0.87,
-            "electrons": 0.88,
-        },
-    ),
-    "bent sensor": (
-        bent_sensor,
-        200,
-        {
-            "gain": 0.92,
-            "row noise": 0.92,
-            "bend": 0.97,
-            "electrons in the middle": 0.90,
-            "electrons near full": 0.94,
-        },
-    ),
+    "straight sensor": (straight_sensor, 100, {
+        "gain": 0.90, "read noise": 0.87, "saturation": 0.90,
+        "PRNU": 1.03, "DSNU": 0.87, "electrons": 0.88,
+    }),
+    "bent sensor": (bent_sensor, 200, {
+        "gain": 0.92, "row noise": 0.92, "bend": 0.97,
+        "electrons in the middle": 0.90, "electrons near full": 0.94,
+    }),
     "rough sensor": (rough_sensor, 300, {"gain": 1.34, "read noise": 1.32}),
     "full sensor": (full_sensor, 200, {"full well": 0.88, "dynamic range": 1.06}),
     "shutters": (shutters, 200, {"linearity": 1.09}),
     "tone curve by exposures": (toned_frames, 20, {"strength": 0.86}),
     "tone curve by rough shutters": (partial(toned_frames, off=0.15), 20, {"strength": 0.65}),
-    "edge": (
-        edge,
-        100,
-        {
-            "MTF50": 0.98,
-            "contrast": 0.89,
-            "contrast of wide waves": 0.88,
-            "light": 1.02,
-            "rise": 0.90,
-            "lateral colour": 0.66,
-        },
-    ),
-    "edge, noise of neighbours": (
-        partial(edge, shared=True),
-        100,
-        {
-            "MTF50": 0.99,
-            "contrast": 1.09,
-            "contrast of wide waves": 1.05,
-            "light": 0.99,
-            "rise": 1.05,
-            "lateral colour": 1.17,
-        },
-    ),
+    "edge": (edge, 100, {
+        "MTF50": 0.98, "contrast": 0.89, "contrast of wide waves": 0.88,
+        "light": 1.02, "rise": 0.90, "lateral colour": 0.66,
+    }),
+    "edge, noise of neighbours": (partial(edge, shared=True), 100, {
+        "MTF50": 0.99, "contrast": 1.09, "contrast of wide waves": 1.05,
+        "light": 0.99, "rise": 1.05, "lateral colour": 1.17,
+    }),
     "edge, unknown tone curve": (toned_edge, 40, {"MTF50": 0.92}),
-    "lines": (
-        drawn_lines,
-        120,
-        {
-            "focal length": 1.01,
-            "pitch": 1.01,
-            "roll": 0.85,
-            "field of view": 1.01,
-            "length": 0.97,
-            "height": 1.00,
-            "distance": 1.03,
-            "vanishing point": 0.92,
-        },
-    ),
-    "lines behind a lens": (
-        partial(drawn_lines, k1=-0.05),
-        60,
-        {
-            "focal length": 1.03,
-            "pitch": 0.92,
-            "roll": 0.96,
-            "field of view": 1.03,
-            "length": 1.03,
-            "height": 0.94,
-            "distance": 0.81,
-            "k1 by edges": 0.80,
-            "k1": 0.91,
-            "vanishing point": 0.94,
-        },
-    ),
+    "lines": (drawn_lines, 120, {
+        "focal length": 1.01, "pitch": 1.01, "roll": 0.85, "field of view": 1.01,
+        "length": 0.97, "height": 1.00, "distance": 1.03, "vanishing point": 0.92,
+    }),
+    "lines behind a lens": (partial(drawn_lines, k1=-0.05), 60, {
+        "focal length": 1.03, "pitch": 0.92, "roll": 0.96, "field of view": 1.03,
+        "length": 1.03, "height": 0.94, "distance": 0.81, "k1 by edges": 0.80, "k1": 0.91,
+        "vanishing point": 0.94,
+    }),
     "edges that bow": (bowed_edges, 100, {"k1": 1.15}),
-    "lines behind a calibrated lens": (
-        partial(drawn_lines, calibrated=(0.01, 4.0)),
-        80,
-        {
-            "focal length": 1.03,
-            "pitch": 0.99,
-            "roll": 0.96,
-            "field of view": 1.03,
-            "length": 0.94,
-            "height": 0.96,
-            "distance": 1.11,
-            "vanishing point": 1.05,
-        },
-    ),
-    "camera": (
-        calibrated,
-        120,
-        {
-            "fx": 0.95,
-            "cx": 0.94,
-            "k1": 0.77,
-            "fx, if all is noise": 1.06,
-            "k1, by photographs": 0.90,
-            "fx of six photographs": 0.90,
-        },
-    ),
+    "lines behind a calibrated lens": (partial(drawn_lines, calibrated=(0.01, 4.0)), 80, {
+        "focal length": 1.03, "pitch": 0.99, "roll": 0.96, "field of view": 1.03,
+        "length": 0.94, "height": 0.96, "distance": 1.11, "vanishing point": 1.05,
+    }),
+    "camera": (calibrated, 120, {
+        "fx": 0.95, "cx": 0.94, "k1": 0.77, "fx, if all is noise": 1.06,
+        "k1, by photographs": 0.90, "fx of six photographs": 0.90,
+    }),
     "bent board": (bent_board, 100, {"height": 1.06, "aspect": 0.92}),
     "camera, decentring left out": (off_centre, 100, {"cx": 0.72}),
-}
+}  # fmt: skip
 """Function, number of cases, and the root mean square of the deviations in these. It is off 1 by
 chance, and where errors are larger by intention: the larger of two errors (edges, cameras), several
 sources that may add up (tone curve, decentring), a place by one of the colours (lateral colour),

@@ -31,10 +31,10 @@ def pairs_of(
     return [read_pair(counted_pair(mean, cells, sensor, rng), cells, sensor, rng) for mean in means]
 
 
-def estimate_of(pairs: Pairs, sensor: Sensor = SENSOR, most: float = 0.7) -> SensorEstimate:
+def estimate_of(pairs: Pairs, most: float = 0.7) -> SensorEstimate:
     """The estimate of the sensor; the first pair gives the black level."""
-    levels = [measure_pair(pair, sensor.highest_dn) for pair in pairs]
-    return characterise(levels, levels[0].mean_dn, sensor.highest_dn, most)
+    levels = [measure_pair(pair, SENSOR.highest_dn) for pair in pairs]
+    return characterise(levels, levels[0].mean_dn, SENSOR.highest_dn, most)
 
 
 def light_of(level_dn: float, seed: int, size: int = 200) -> Floats:

@@ -27,8 +27,6 @@ def facing_board(
     focal_px: float,
     tilt: tuple[float, float, float],
     distance_mm: float,
-    aside_mm: tuple[float, float] = (0.0, 0.0),
-    lens: Distortion = BARREL,
 ) -> View:
     """A camera that looks at the middle of a board, which is turned about it by the rotation vector
     ``tilt``."""
@@ -36,9 +34,9 @@ def facing_board(
     middle = 0.5 * board.side_mm * np.array([columns - 1, rows - 1, 0])
     pose = np.eye(4)
     pose[:3, :3] = exponential(np.array(tilt))
-    pose[:3, 3] = np.array([*aside_mm, distance_mm]) - pose[:3, :3] @ middle
+    pose[:3, 3] = np.array([0.0, 0.0, distance_mm]) - pose[:3, :3] @ middle
     centre = (0.5 * width + 2.2, 0.5 * height - 3.7)
-    return View(width, height, intrinsics(focal_px, centre), lens, pose)
+    return View(width, height, intrinsics(focal_px, centre), BARREL, pose)
 
 
 SIZE = (640, 480)

@@ -23,23 +23,18 @@ def dng(
     mosaic: NDArray[np.unsignedinteger],
     *,
     black: Sequence[float] = (0.0,),
-    white: int = 4095,
-    pattern: Sequence[int] = (0, 1, 1, 2),
     exposure_s: float = 0.01,
-    iso: int = 100,
-    focal_mm: float = 50.0,
-    orientation: int = 1,
 ) -> bytes:
-    """The file of a mosaic (H, W) of 16 bits per cell; ``pattern`` has the colours of a 2 × 2 quad
-    row by row (red 0, green 1, blue 2), ``black`` one level, or one for each cell of the quad."""
+    """The file of a mosaic (H, W) of 16 bits per cell, with a red cell at first; ``black`` is one
+    level, or one for each cell of a 2 × 2 quad."""
     height, width = mosaic.shape
     strip = mosaic.astype("<u2").tobytes()
     side = 1 if len(black) == 1 else 2
     exposure: list[Entry] = [
         (0x829A, RATIONAL, [exposure_s]),
         (0x829D, RATIONAL, [8.0]),
-        (0x8827, SHORT, [iso]),
-        (0x920A, RATIONAL, [focal_mm]),
+        (0x8827, SHORT, [100]),
+        (0x920A, RATIONAL, [50.0]),
     ]
     main: list[Entry] = [
         (254, LONG, [0]),
@@ -50,19 +45,19 @@ def dng(
         (262, SHORT, [32803]),  # cells of a mosaic
         (271, ASCII, "Example"),
         (272, ASCII, "Simulated sensor"),
-        (274, SHORT, [orientation]),
+        (274, SHORT, [1]),
         (277, SHORT, [1]),
         (278, LONG, [height]),
         (279, LONG, [len(strip)]),
         (284, SHORT, [1]),
         (33421, SHORT, [2, 2]),
-        (33422, BYTE, pattern),
+        (33422, BYTE, [0, 1, 1, 2]),
         (50706, BYTE, [1, 4, 0, 0]),
         (50707, BYTE, [1, 1, 0, 0]),
         (50708, ASCII, "Example Simulated sensor"),
         (50713, SHORT, [side, side]),
         (50714, RATIONAL, black),
-        (50717, LONG, [white]),
+        (50717, LONG, [4095]),
         (50721, SRATIONAL, TO_XYZ),
         (50728, RATIONAL, [1.0, 1.0, 1.0]),
         (50778, SHORT, [21]),  # daylight of 6500 K

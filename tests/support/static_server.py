@@ -13,13 +13,9 @@ from pathlib import Path
 from urllib.parse import unquote
 
 TYPES = {
-    ".mjs": "text/javascript",
-    ".js": "text/javascript",
-    ".wasm": "application/wasm",
-    ".json": "application/json",
-    ".woff2": "font/woff2",
-    ".svg": "image/svg+xml",
-}
+    ".mjs": "text/javascript", ".js": "text/javascript", ".wasm": "application/wasm",
+    ".json": "application/json", ".woff2": "font/woff2", ".svg": "image/svg+xml",
+}  # fmt: skip
 
 
 def free_port() -> int:

@@ -12,15 +12,9 @@ from PIL.TiffImagePlugin import IFDRational
 from simulations.engine.exif import exif_facts
 
 WRITTEN = {
-    "make": "Maker",
-    "model": "Model 1",
-    "lens": "50 mm F1.8",
-    "exposure_s": 1 / 125,
-    "f_number": 2.8,
-    "iso": 400.0,
-    "focal_mm": 50.0,
-    "focal_35mm_mm": 75.0,
-}
+    "make": "Maker", "model": "Model 1", "lens": "50 mm F1.8", "exposure_s": 1 / 125,
+    "f_number": 2.8, "iso": 400.0, "focal_mm": 50.0, "focal_35mm_mm": 75.0,
+}  # fmt: skip
 
 
 def file_of(kind: str, order: str = ">", focal: float = 50.0, maker: str = "Maker") -> bytes:

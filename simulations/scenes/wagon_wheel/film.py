@@ -27,14 +27,9 @@ from simulations.pictures.spoked_wheel import Bars, Canvas, Exposure
 FRAMES = 96
 PLAYED_PER_S = 6.0  # film frames a second: a quarter of the cinema's
 TIERS = (
-    "instants-1",
-    "integral",
-    "instants-4",
-    "instants-16",
-    "random-16",
-    "jittered-16",
+    "instants-1", "integral", "instants-4", "instants-16", "random-16", "jittered-16",
     "instants-64",
-)
+)  # fmt: skip
 """Rungs of the ladder `exposure-blur`, without the smear, which needs motion in a straight line."""
 PARTS = 12  # steps of the error estimate: each takes a few milliseconds
 

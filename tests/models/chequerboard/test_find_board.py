@@ -160,18 +160,6 @@ def test_corners_on_both_sides_of_a_hard_shadow_are_found() -> None:
         (lambda: _noisy(0.2), "too noisy"),
         (_charuco, "ChArUco"),
     ],
-    ids=[
-        "one-pixel",
-        "two-rows",
-        "white",
-        "a-part",
-        "two",
-        "far",
-        "blurred",
-        "bent",
-        "noisy",
-        "charuco",
-    ],
 )
 def test_unusable_photograph_is_refused_in_a_sentence(codes, words: str) -> None:  # type: ignore[no-untyped-def]
     with pytest.raises(NoBoardError, match=words) as refusal:

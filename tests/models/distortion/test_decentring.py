@@ -51,10 +51,10 @@ def test_derivatives_agree_with_differences() -> None:
         assert_allclose(np.stack(slopes, axis=-1), expected, atol=1e-8)
 
 
-def least_determinant(points: Floats, d: Distortion, steps: int = 2000) -> Floats:
+def least_determinant(points: Floats, d: Distortion) -> Floats:
     """The least determinant (N,) on the straight line from the axis to each point (N, 2)."""
     lens, least = DecentredLens(d.radial, d.p1, d.p2), np.full(len(points), np.inf)
-    for share in np.linspace(0, 1, steps + 1)[1:]:
+    for share in np.linspace(0, 1, 2001)[1:]:
         xx, mixed, yy = lens.linearised(*(share * points).T)[2:]
         least = np.minimum(least, xx * yy - mixed * mixed)
     return least

@@ -129,9 +129,9 @@ def pair(
     return start, quaternions.multiply(turn, start)
 
 
-def scipy_path(start: Floats, end: Floats, shares: Floats = SHARES) -> Rotation:
+def scipy_path(start: Floats, end: Floats) -> Rotation:
     ends = Rotation.from_quat(np.stack([start, end]), scalar_first=True)
-    return Slerp([0.0, 1.0], ends)(shares)
+    return Slerp([0.0, 1.0], ends)(SHARES)
 
 
 def off_deg(blended: Floats, path: Rotation) -> Floats:

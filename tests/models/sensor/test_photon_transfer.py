@@ -314,13 +314,9 @@ def test_grain_and_fall_off_count_as_even_but_an_edge_does_not() -> None:
 
 def test_pairs_share_light_exposure_and_camera() -> None:
     taken = [
-        Taken(50.0, "A", 0.1),
-        Taken(100.0, "A", 0.2),
-        Taken(51.0, "A", 0.1),
-        Taken(101.0, "A", 0.4),
-        Taken(99.0, "A", 0.2),
-        Taken(50.0, "B", 0.1),
-    ]
+        Taken(50.0, "A", 0.1), Taken(100.0, "A", 0.2), Taken(51.0, "A", 0.1),
+        Taken(101.0, "A", 0.4), Taken(99.0, "A", 0.2), Taken(50.0, "B", 0.1),
+    ]  # fmt: skip
     assert pair_up(taken) == ((0, 2), (4, 1))
 
 
