@@ -29,7 +29,7 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
     """
     if isinstance(error, RefusedEditError):
         return Problem(error.message, error.definition, error.line)
-    text = legible(f"{type(error).__name__}: {error}".removesuffix(": "))
+    text = _text_of(error)
     steps = [
         (str(frame.f_globals.get("__name__")), line) for frame, line in walk_tb(error.__traceback__)
     ]
@@ -46,10 +46,22 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
     return Problem(message, place.definition, line - place.first + 1)
 
 
+def _text_of(error: BaseException) -> str | Message:
+    """Its class and message; only its class where it raises another error when it is asked."""
+    if isinstance(error, EOFError):
+        return Message("workshop.no_input")
+    try:
+        return legible(f"{type(error).__name__}: {error}".removesuffix(": "))
+    except BaseException:
+        return type.__repr__(type(error))
+
+
 def _with_place(
-    error: str, steps: Sequence[tuple[str, int]], places: Sequence[Place]
+    error: str | Message, steps: Sequence[tuple[str, int]], places: Sequence[Place]
 ) -> str | Message:
     """The message with the innermost line of the book's own code."""
+    if isinstance(error, Message):
+        return error
     for module, line in reversed(steps):
         if is_editable(module):
             above = (p.added for p in places if p.module == module and p.first < line)

@@ -142,6 +142,7 @@ def test_names_are_completed_and_any_text_gets_a_reply_or_is_stopped(
         message = check(form, f"def image_of(H, points):\n    {body}")
         assert len(message) > len("Not yet. Try again."), body
         assert form.get_attribute("data-answered") == "wrong", body
+    assert "Error" not in check(form, "def image_of(H, points):\n    return input()")
     for text in TEXTS:
         assert len(check(form, text)) > len("Not yet. Try again."), text
     figure = reader.page.locator(f"#{FIGURE} simulation-figure")

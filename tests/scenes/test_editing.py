@@ -1,5 +1,6 @@
 """Edited code of a figure: a copy of the program with the edits, and the place of mistakes."""
 
+import io
 import json
 import sys
 from typing import Any
@@ -162,15 +163,18 @@ RAISED = next(
             "SystemExit: enough",
         ),
         ({STAGE: "def fidelity(a, b):\n  return (1"}, STAGE, 2, "SyntaxError"),
+        ({STAGE: f"{HEAD}    raise type('E', (Exception,), {{'__str__': exit}})"}, STAGE, 2, "E'>"),
+        ({STAGE: f"{HEAD}    return float(input())"}, STAGE, 2, "workshop.no_input"),
         ({f"{JPEG}:coded": CODED}, f"{JPEG}:coded", 2, "quality -5; legal"),
         ({STAGE: "def fidelity(decoded):\n    return 1.0"}, "", 0, "stage 'psnr' comes after"),
         ({ORIGINAL: NO_PSNR}, "", 0, f'"simulations/scenes/jpeg.py", "line": "{RAISED}"'),
     ],
-    ids=["exception", "exit", "syntax", "in a model", "outside the edits", "in the book"],
+    ids=["exception", "exit", "syntax", "no text", "input", "in a model", "outside", "in the book"],
 )
 def test_mistake_is_reported_on_its_line(
-    edits: dict[str, str], definition: str, line: int, words: str
+    edits: dict[str, str], definition: str, line: int, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr("sys.stdin", io.StringIO())
     found = problem_with(edits)
     assert words in json.dumps(found["message"], ensure_ascii=False)
     if definition:

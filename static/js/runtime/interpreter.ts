@@ -67,6 +67,7 @@ async function start(request: StartRequest, fromSnapshot: boolean) {
   const pyodide = await loadPyodide({
     indexURL: url,
     stdLibURL: url + LIBRARY,
+    stdin: () => null, // `input()` finds the end of a file
     lockFileContents: JSON.stringify(table.lock),
     async createPyodideModule(settings: any) {
       const failed = preload(settings, loaded);
