@@ -3,17 +3,19 @@ it is no larger than a page can carry; and the colours that a book names for its
 
 import re
 from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from itertools import chain
 from pathlib import Path
-from typing import Any
 
 from simulations.engine.frame import ROLES as COLOUR_ROLES
-from simulations.engine.frame import Frame, Panel
+from simulations.engine.frame import Panel
 from simulations.engine.scene import Scene
 from site_builder.cache.hashing import module_of
 from site_builder.checks.pictures import Label, read_overlay
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import walk
 from site_builder.document.book import Book
+from site_builder.document.places import Passage
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import book_or_engine_file, static_files
@@ -29,6 +31,7 @@ LETTER = 16.0
 """The height of a letter, in units of the view box."""
 MOST_DATA = 2_000_000
 """Bytes of a file beside a module."""
+NOT_SHOWN = "legal: a text of characters that can be shown"
 CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 NO_NUMBER = re.compile(r"[\s,\"'](-?(?:nan|inf))[\s,\"']")
 
@@ -56,29 +59,38 @@ def check_frames(
                 said = unknown("colour role", role, roles[1:])
                 own = module_of(scene) or ""
                 problems.add_of(own, path, line, f"{scene.id}: {name!r} has an {said}")
-        for text in _texts(scene, initial_frame.frame):
-            if CONTROL.search(text):
-                said = f"{scene.id}: {text!r}; legal: a text of characters that can be shown"
-                problems.add_of(module_of(scene) or "", path, line, said)
+        parts = (scene.title, scene.accuracy, scene.controls, scene.handles, initial_frame.frame)
+        for text in filter(CONTROL.search, _texts(parts)):
+            said = f"{scene.id}: {text!r}; {NOT_SHOWN}"
+            problems.add_of(module_of(scene) or "", path, line, said)
         for panel in initial_frame.frame.panels:
             picture = initial_frame.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0
             _check(scene.id, panel, pixels, known, (path, line), problems, module_of(scene) or "")
     for chapter in book.chapters:
         for block in walk(chapter.body):
+            line = block.target.line if block.target else 1
+            for text in filter(CONTROL.search, _texts(block.content)):
+                problems.add(chapter.path, line, f"{text!r}; {NOT_SHOWN}")
             if isinstance(block.content, DrawnIllustration):
-                line = block.target.line if block.target else 1
                 for panel in block.content.illustration.panels:
                     _check("illustration", panel, 0, known, (chapter.path, line), problems)
 
 
-def _texts(scene: Scene[Any], frame: Frame) -> Iterator[str]:
-    """What a page shows of a frame and its controls."""
-    yield frame.description
-    yield from (panel.title for panel in frame.panels)
-    yield from (each.label for each in (*scene.controls, *scene.handles))
-    for readout in frame.readouts:
-        yield from (readout.label, readout.text, readout.unit)
+def _texts(value: object) -> Iterator[str]:
+    """The texts in tuples, lists, mappings and dataclasses, but for drawings, and Markdown, which
+    is checked as it is read."""
+    match value:
+        case str():
+            yield value
+        case Panel():
+            yield value.title
+        case Mapping():
+            yield from _texts((*value.values(),))
+        case tuple() | list():
+            yield from chain.from_iterable(map(_texts, value))
+        case _ if is_dataclass(value) and not isinstance(value, type | Passage | Scene):
+            yield from _texts([getattr(value, field.name) for field in fields(value)])
 
 
 def check_data(sources: Sources) -> None:

@@ -73,7 +73,8 @@ def read_svg(data: bytes, *, inline: bool = False) -> Drawing:
 @cached
 def read_overlay(markup: str) -> Drawing:
     """The same of the content of ``<svg>``, as scenes and illustrations draw it."""
-    return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode(), inline=True)
+    drawing = f'<svg xmlns="{SVG}">{markup}</svg>'
+    return read_svg(drawing.encode(errors="surrogatepass"), inline=True)
 
 
 @dataclass(slots=True, kw_only=True)

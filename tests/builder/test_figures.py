@@ -15,6 +15,7 @@ from simulations.engine.accuracy import Accuracy, columns, tiers
 from simulations.engine.drawing import line, text
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.handles import Handle
+from simulations.engine.illustration import Illustration
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
@@ -74,6 +75,7 @@ def diagnose(make_book: MakeBook) -> Diagnose:
         (lambda *_: frame(raster=[[0]]), "panel 'plan': raster list; legal: (H, W, 4) uint8"),
         (lambda *_: frame(raster=np.zeros((2, 2, 4))), "raster (2, 2, 4) float64; legal: "),
         (lambda *_: frame("<g>"), "overlay: no SVG: mismatched tag"),
+        (lambda *_: frame("<text>\ud800</text>"), "overlay: no SVG: not well-formed"),
         (lambda *_: frame("<style/>"), "overlay: <style> in a drawing; legal: classes"),
         (lambda *_: frame("<circle r='nan'/>"), "overlay: 'nan' as a place or a size; legal: "),
         (lambda *_: frame("<path d='M0,-inf L1 1'/>"), "overlay: '-inf' as a place or a size"),
@@ -149,13 +151,23 @@ def test_label_outside_its_panel_is_a_warning(
     assert warned == [True] * (not is_seen)
 
 
+@pytest.mark.parametrize(
+    ("draw", "says"),
+    [
+        (raising, "illustration 'similar-triangles' cannot be drawn: "),
+        (
+            lambda: Illustration((Panel("plan", "Plan", 40, 30),), "\ud800"),
+            r"'\ud800'; legal: a text",
+        ),
+    ],
+)
 def test_failing_illustration_is_reported(
-    make_book: MakeBook, monkeypatch: pytest.MonkeyPatch
+    make_book: MakeBook, monkeypatch: pytest.MonkeyPatch, draw: Callable[..., Any], says: str
 ) -> None:
-    monkeypatch.setattr("support.little_book.draw", raising)
+    monkeypatch.setattr("support.little_book.draw", draw)
     body = ":::{illustration} similar-triangles\nTwo triangles.\n:::\n"
     (found,) = diagnostics(make_book(body, {"content/book.toml": OUTLINE}))
-    assert found.message.startswith("illustration 'similar-triangles' cannot be drawn: ")
+    assert found.message.startswith(says)
 
 
 def coloured_book(make_book: MakeBook, more: str) -> Options:

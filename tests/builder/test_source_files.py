@@ -41,6 +41,8 @@ def link_to(target: str) -> Callable[[Path], object]:
          f"{CHAPTER}:2: control character U+D800; legal:"),
         ({CHAPTER: FRONT + "a \ufffe\n".encode()},
          f"{CHAPTER}:5: control character U+FFFE; legal:"),
+        ({CHAPTER: FRONT + b"One.\n\nTwo [words](https://a.example/ '&#12;').\n"},
+         f"{CHAPTER}:7: control character U+000C; legal:"),
         ({BOOK: OUTLINE.encode() + b'[macros]\nR = "\\u0000"\n'},
          f"{BOOK}:6: control character U+0000; legal:"),
         ({CHAPTER: FRONT + b"Text.\n\n" * 1_000_000},

@@ -9,6 +9,7 @@ from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
 from site_builder.diagnostics.diagnostic import BELOW, TARGETS
+from site_builder.files.text import CONTROL, control_character_message
 from site_builder.markdown.text.tokens import children_located
 
 NOT_KEPT = "may change; better: '{ref}`TARGET`', or a citation"
@@ -121,6 +122,9 @@ def _in_paragraph(
 ) -> Iterator[tuple[int, str]]:
     above = 0
     for child, place in children_located(inline, line):
+        for text in (child.content, *map(str, child.attrs.values())):
+            if written := CONTROL.search(text):  # as an entity
+                yield place, control_character_message(written[0])
         if child.type == "text":
             for number in TYPED_NUMBER.finditer(child.content):
                 doubts.append((place, f"{number[1]!r} {NOT_KEPT}"))
