@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
 
-from site_builder.files.folders import replace_file
+from site_builder.files.folders import bytes_hash, replace_file
 from site_builder.runtime.downloads import fetch_files, members
 from site_builder.runtime.store import RuntimeFile
 
@@ -34,6 +34,7 @@ def codes() -> NDArray[np.uint8]:
 
 
 PACKED = "{packed}"
+# {mark}
 '''
 
 
@@ -59,6 +60,11 @@ class Credit:
     def pinned(self) -> RuntimeFile:
         return RuntimeFile(Path(self.file).name, self.sha256)
 
+    @property
+    def mark(self) -> str:
+        """Ends a module that is made of this entry."""
+        return bytes_hash(f"{MODULE}{self}".encode()).hex()
+
 
 def credits_of(root: Path) -> dict[str, Credit]:
     """The photographs of the book in ``root`` by the names of their modules."""
@@ -70,16 +76,16 @@ def credits_of(root: Path) -> dict[str, Credit]:
 
 
 def prepare_photographs(root: Path) -> None:
-    """Write the modules that are older than their list, or missing.
+    """Write the modules that are missing, or of other entries of the list than the present ones.
 
     Raises `RuntimeFetchError` where a photograph is neither cached nor to be had.
     """
-    listed, photographs = root / FOLDER / LIST, credits_of(root)
-    places = {name: listed.with_name(f"{name}.py") for name in photographs}
+    photographs = credits_of(root)
+    places = {name: root / FOLDER / f"{name}.py" for name in photographs}
     stale = {
         name: photographs[name]
         for name, place in places.items()
-        if not place.is_file() or place.stat().st_mtime < listed.stat().st_mtime
+        if not place.is_file() or photographs[name].mark not in place.read_text(encoding="utf-8")
     }
     for package, some in groupby(stale.items(), key=lambda item: item[1].package):
         wanted = dict(some)
@@ -105,4 +111,4 @@ def module_of(photograph: Credit, file: Path) -> str:
     packed = base64.b64encode(zlib.compress(steps.tobytes(), 9)).decode()
     width, height = photograph.size
     about = {name: getattr(photograph, name) for name in ("title", "author", "licence")}
-    return MODULE.format(**about, packed=packed, width=width, height=height)
+    return MODULE.format(**about, packed=packed, width=width, height=height, mark=photograph.mark)

@@ -8,6 +8,7 @@ import hashlib
 import platform
 import re
 import sys
+import time
 from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import fields, is_dataclass
 from enum import Enum
@@ -166,13 +167,15 @@ def _source(module: str) -> tuple[bytes, tuple[str, ...]] | None:
     return hash_of(text, *data), tuple(sorted(names))
 
 
+DAY_NS = 86_400 * 10**9
 _written_ns: list[int] = []
 """Times of change of the sources that were hashed."""
 
 
 def changed_sources() -> bool:
-    """Whether a source was written since this process began: what it runs may be older."""
-    return max(_written_ns, default=0) >= STARTED_NS
+    """Whether a source was written since this process began: what it runs may be older. A time that
+    lies a day ahead, of a wrong clock, tells nothing."""
+    return any(STARTED_NS <= written < time.time_ns() + DAY_NS for written in _written_ns)
 
 
 @functools.cache

@@ -1,14 +1,16 @@
 """Photographs from packages: the packed modules against the original files."""
 
 import importlib
+import os
 from importlib.metadata import distribution
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PIL import Image
 from support.places import ROOT
 
-from site_builder.photographs import credits_of
+from site_builder.photographs import FOLDER, LIST, credits_of, prepare_photographs
 
 CREDITS = credits_of(ROOT)
 
@@ -24,3 +26,16 @@ def test_packed_photograph_is_the_scaled_file(name: str) -> None:
     assert error.min() >= 0
     assert error.max() <= 1
     assert len(module.PACKED) * 3 / 4 < 62_000
+
+
+def test_modules_follow_the_list_whatever_the_clock_says(tmp_path: Path) -> None:
+    listed, (first, *_) = tmp_path / FOLDER / LIST, CREDITS.values()
+    listed.parent.mkdir(parents=True)
+    text = (ROOT / FOLDER / LIST).read_text(encoding="utf-8")
+    for title in (first.title, "Another title"):
+        listed.write_text(text.replace(first.title, title), encoding="utf-8")
+        prepare_photographs(tmp_path)
+        modules = [*listed.parent.glob("*.py")]
+        assert sum(title in module.read_text(encoding="utf-8") for module in modules) == 1
+        for module in modules:
+            os.utime(module, (4e9, 4e9))  # made while the clock was fast
