@@ -10,6 +10,8 @@ FRESH_S = 5.0
 SLOWEST = 6.0
 LIMIT_S = 30.0
 """The longest wait on a quiet machine; a wait ends as soon as its event occurs."""
+LONGEST_S = LIMIT_S * SLOWEST
+"""The longest wait, for limits that are set once."""
 
 _measured = (-FRESH_S, 1.0)
 

@@ -15,7 +15,7 @@ from urllib.error import HTTPError, URLError
 from urllib.request import Request, urlopen
 
 from support.engines.engine import call
-from support.limits import limit_ms, limit_s
+from support.limits import LONGEST_S, limit_s
 from support.static_server import free_port
 
 PACKAGES = ("webkit2gtk-driver", "gir1.2-webkit2-4.1", "python3-gi", "xvfb")
@@ -51,7 +51,8 @@ class WebKit:
         wanted = {"alwaysMatch": {"webkitgtk:browserOptions": options}}
         session = self._send("", capabilities=wanted)["sessionId"]
         self._address += f"/{session}"
-        self._send("/timeouts", script=round(2 * limit_ms()), pageLoad=round(2 * limit_ms()))
+        limit_ms = round(2000 * LONGEST_S)
+        self._send("/timeouts", script=limit_ms, pageLoad=limit_ms)
 
     def open(self, url: str) -> None:
         self._send("/url", url=url)
@@ -75,7 +76,7 @@ class WebKit:
             {"Content-Type": "application/json"},
         )
         try:
-            with urlopen(request, timeout=3 * limit_s()) as reply:
+            with urlopen(request, timeout=3 * LONGEST_S) as reply:
                 return json.load(reply)["value"]
         except HTTPError as error:
             answer = json.load(error)["value"]
