@@ -25,7 +25,7 @@ from simulations.models.lens.depth_of_field import blur_by_depth, blur_layer, co
 from simulations.models.lens.disc_pyramid import double
 from simulations.models.projection import pinhole
 from simulations.models.sampling.magnification import magnify
-from simulations.world import things as still_life
+from simulations.world import still_life
 from simulations.world.layers import LitScene, light
 from simulations.world.surfaces import Surface, surfaces
 
@@ -89,11 +89,11 @@ def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
 
 
 def nearest_depth(principal: float, k1: float, back: float = 0.0) -> float:
-    """Depth of the nearest thing or spot of floor that the sensor sees, metres."""
+    """Depth of the nearest object or spot of floor that the sensor sees, metres."""
     _, down = ideal_reach(principal, k1)
     falling = still_life.WORLD_TO_CAMERA[:3, 2] @ (0.0, -down, -1.0)
     floor = still_life.eye(back)[2] / falling if falling > 0 else math.inf
-    nearest = min(still_life.object_depth(thing) for thing in still_life.OBJECTS)
+    nearest = min(still_life.object_depth(item) for item in still_life.OBJECTS)
     return float(min(floor, nearest + back))
 
 
@@ -226,7 +226,7 @@ def floor_tangent(depth: float) -> float:
 def line_on_floor(
     lit: LitScene, row: float, width: float, height: float, enlarged: float = 1.0
 ) -> str:
-    """SVG of the line along a row of a view box, where no thing of the picture hides it. The
+    """SVG of the line along a row of a view box, where no object of the picture hides it. The
     picture is magnified ``enlarged`` times about its middle."""
     rows, columns = lit.base_depth.shape
     place = int(((row / height - 0.5) / enlarged + 0.5) * rows)

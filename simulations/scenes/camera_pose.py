@@ -48,7 +48,7 @@ def in_axes(places: Floats) -> Floats:
 
 
 WALLS, DOOR = in_axes(plan.WALLS), in_axes(plan.DOOR)
-TABLE = in_axes(plan.footprint(next(thing for thing in ROOM if thing.name == "table")))
+TABLE = in_axes(plan.footprint(next(item for item in ROOM if item.name == "table")))
 
 WIDTH, HEIGHT = 400.0, 350.0
 BORDERS = (0.0, 0.0), (WIDTH, HEIGHT)
@@ -215,7 +215,7 @@ def camera_panel(here: Standpoint, look: View) -> Panel:
 def _furniture(place: ToPanel, here: Standpoint) -> str:
     """Floor, the part of it in the camera's field of view, walls, door and table, clipped to the
     panel."""
-    things = plan.outlines(lambda corners: place(in_axes(corners)), *BORDERS)
+    items = plan.outlines(lambda corners: place(in_axes(corners)), *BORDERS)
     middle = place(TABLE.mean(axis=0))
     walls = np.stack([WALLS, np.roll(WALLS, -1, axis=0)], axis=1)
     lines = [*((wall, "world thin") for wall in walls), (DOOR, "world bold")]
@@ -231,7 +231,7 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
                 for points, style in lines
                 if len(ends := _clipped(place(points), closed=False)) == 2
             ),
-            *(drawing.polygon(thing, "world thin fill") for thing in things if len(thing)),
+            *(drawing.polygon(item, "world thin fill") for item in items if len(item)),
             _name(middle, "table", "world small"),
         )
     )

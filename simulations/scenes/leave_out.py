@@ -43,7 +43,7 @@ from simulations.scenes._wipe import over_wipe, wipe_handle, wiped
 from simulations.scenes.camera.lens import Settings as Camera
 from simulations.scenes.camera.lens import after_step, bend_rays, blur_of
 from simulations.scenes.camera.stages import vignette
-from simulations.world import things as still_life
+from simulations.world import still_life
 from simulations.world.layers import LitScene, light
 from simulations.world.surfaces import FLOOR_DARK, FLOOR_LIGHT, Surface, surfaces
 
@@ -145,9 +145,9 @@ def find_surfaces(
 def shade(
     parts: tuple[Surface, ...], light_angle: float, floor: float, with_bounce: bool
 ) -> LitScene:
-    wall, ground, *things = parts
+    wall, ground, *items = parts
     darker = replace(ground, albedo=np.float32(floor) * ground.albedo)
-    return light((wall, darker, *things), light_angle, floor if with_bounce else 0.0)
+    return light((wall, darker, *items), light_angle, floor if with_bounce else 0.0)
 
 
 def no_blur(with_blur: bool) -> str:

@@ -32,7 +32,7 @@ from simulations.scenes._still_life_camera import (
 )
 from simulations.world.depth import ray_depth
 from simulations.world.layers import LitScene
-from simulations.world.things import OBJECTS, object_depth
+from simulations.world.still_life import OBJECTS, object_depth
 
 COLUMNS = 800  # pixels across at rest; half as many down
 WIDTH, HEIGHT = 800.0, 400.0  # view box of the picture
@@ -86,7 +86,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture, and where the plane of focus cuts the floor."""
     focus = settings.focus
     line = line_on_floor(outputs["light"], floor_row(focus), WIDTH, HEIGHT)
-    nearest = min(OBJECTS, key=lambda thing: abs(1 / object_depth(thing) - 1 / focus))
+    nearest = min(OBJECTS, key=lambda item: abs(1 / object_depth(item) - 1 / focus))
     sharp = f"the {nearest.name} is the sharpest thing" if focus < 7.3 else "the wall is sharp"
     side = "right" if settings.light_angle > 0 else "left"
     lit = f"lit from {abs(settings.light_angle):.0f}° to the {side}"
@@ -107,7 +107,7 @@ def middle(_settings: Settings, _outputs: Outputs) -> Point:
 
 
 def focus_on(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    """Focus on the thing at a place of the picture."""
+    """Focus on the object at a place of the picture."""
     return {"focus": ray_depth((*tangents(place), 1.0))}
 
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from simulations.models.light.raycasting import Box, Sphere
 from simulations.world import light
-from simulations.world.things import OBJECTS, WALL_DISTANCE, SceneObject, resting
+from simulations.world.still_life import OBJECTS, WALL_DISTANCE, SceneObject, resting
 
 LOW, HIGH = (-4.5, -5.0, 0.0), (4.5, WALL_DISTANCE, 3.4)
 """Corners of the room, metres."""
@@ -62,4 +62,4 @@ FURNITURE = (
 )
 ROOM = (*OBJECTS, *FURNITURE)
 WALLS = ("left wall", "right wall", "front wall", "back wall", "floor", "ceiling")
-NAMES = (*WALLS, *(thing.name for thing in ROOM))
+NAMES = (*WALLS, *(item.name for item in ROOM))

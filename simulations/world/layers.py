@@ -8,8 +8,8 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.depth_of_field import Layer
 from simulations.models.light.raycasting import Vector
 from simulations.world.light import lamp_direction, radiance
+from simulations.world.still_life import WALL_DISTANCE
 from simulations.world.surfaces import Surface
-from simulations.world.things import WALL_DISTANCE
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,19 +17,19 @@ class LitScene:
     """Radiance at the lens, in layers of one depth each."""
 
     base: Planes
-    """(3, H, W) wall and floor without the things, linear RGB."""
+    """(3, H, W) wall and floor without the objects, linear RGB."""
     base_depth: Floats
     """(H, W) metres along the optical axis."""
     layers: tuple[Layer, ...]
-    """The things, farthest first."""
+    """The objects, farthest first."""
     depths: tuple[float, ...]
     """Depths of the layers, metres."""
 
 
 def light(parts: tuple[Surface, ...], light_angle_deg: float, bounced: float = 1.0) -> LitScene:
-    """Shade wall, floor and things; ``bounced`` is the share of the light from the floor."""
+    """Shade wall, floor and objects; ``bounced`` is the share of the light from the floor."""
     lamp = lamp_direction(light_angle_deg)
-    wall, floor, *things = parts
+    wall, floor, *items = parts
     height = max(part.top + part.coverage.shape[0] for part in (wall, floor))
     width = wall.coverage.shape[1]
     base = np.zeros((3, height, width), np.float32)
@@ -39,9 +39,9 @@ def light(parts: tuple[Surface, ...], light_angle_deg: float, bounced: float = 1
         base[:, rows] += _premultiplied(part, lamp, bounced)[:3]
         depth[rows] += part.depth * part.coverage
     depth[depth == 0.0] = WALL_DISTANCE  # no ray reaches these pixels, which stay black
-    lit = ((part, _premultiplied(part, lamp, bounced)) for part in things)
+    lit = ((part, _premultiplied(part, lamp, bounced)) for part in items)
     layers = tuple(Layer(planes, part.top, part.left) for part, planes in lit)
-    return LitScene(base, depth, layers, tuple(float(part.depth[0, 0]) for part in things))
+    return LitScene(base, depth, layers, tuple(float(part.depth[0, 0]) for part in items))
 
 
 def _premultiplied(part: Surface, lamp: Vector, bounced: float) -> Planes:

@@ -10,8 +10,8 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import penumbra, shadow_bounds, smooth_ramp
+from simulations.world.still_life import OBJECTS, SceneObject
 from simulations.world.surfaces import Surface, Window, windows_between
-from simulations.world.things import OBJECTS, SceneObject
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
@@ -30,7 +30,7 @@ def lamp_direction(light_angle_deg: float) -> Vector:
 
 def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:
     """(3, h, w) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
-    others = [thing for thing in OBJECTS if thing is not part.thing]
+    others = [item for item in OBJECTS if item is not part.item]
     direct = (lambert(part.normals, lamp) * lamp_visibility(part.points, lamp, others)).astype(
         np.float32
     )
@@ -39,14 +39,14 @@ def radiance(part: Surface, lamp: Vector, bounced: float = 1.0) -> Planes:
     if bounced:
         around += tinted(bounced * BOUNCE, part.openness - from_above)
     shaded = part.albedo * (tinted(LAMP, direct) + around)
-    if part.thing is not None and part.thing.gloss > 0:
+    if part.item is not None and part.item.gloss > 0:
         highlight = blinn_phong(
             part.normals,
             lamp,
             part.to_eye,
             albedo=0.0,
-            specular=part.thing.gloss,
-            shininess=part.thing.shininess,
+            specular=part.item.gloss,
+            shininess=part.item.shininess,
         )
         shaded += tinted(LAMP, highlight)
     return shaded
@@ -59,29 +59,29 @@ def tinted(colour: Floats, strength: Floats) -> Planes:
 
 @lru_cache(maxsize=128)
 def shadow_corners(solid: Sphere | Box, lamp: Vector) -> tuple[Floats, Floats]:
-    """Corners (3,) of a cuboid that contains a thing and its shadow above the floor."""
+    """Corners (3,) of a cuboid that contains an object and its shadow above the floor."""
     return shadow_bounds(solid, lamp, LAMP_RADIUS_RAD)
 
 
-def lamp_visibility(points: Floats, lamp: Vector, things: Sequence[SceneObject]) -> Floats:
-    """Share (H, W) of the lamp that the things do not hide from points (H, W, 3)."""
+def lamp_visibility(points: Floats, lamp: Vector, items: Sequence[SceneObject]) -> Floats:
+    """Share (H, W) of the lamp that the objects do not hide from points (H, W, 3)."""
     share = np.ones(points.shape[:2])
-    for window, place in _penumbras(points, lamp, things):
+    for window, place in _penumbras(points, lamp, items):
         share[window] *= smooth_ramp(place)
     return share
 
 
 def lamp_penumbra(
-    points: Floats, lamp: Vector, things: Sequence[SceneObject], beyond: float
+    points: Floats, lamp: Vector, items: Sequence[SceneObject], beyond: float
 ) -> Floats:
-    """Place (H, W) of points in the penumbra of all things, from -``beyond`` to 1 + ``beyond``, of
+    """Place (H, W) of points in the penumbra of all objects, from -``beyond`` to 1 + ``beyond``, of
     which the share of the lamp is the `smooth_ramp`.
 
-    In the penumbra of one thing it is the place in that penumbra. It changes evenly where the light
+    In the penumbra of one object it is the place in that one. It changes evenly where the light
     does not, so that a map of it keeps the edges of shadows between its nodes.
     """
     share, least = np.ones(points.shape[:2]), np.full(points.shape[:2], 1 + beyond)
-    for window, place in _penumbras(points, lamp, things):
+    for window, place in _penumbras(points, lamp, items):
         share[window] *= smooth_ramp(place)
         least[window] = np.minimum(least[window], place)
     between = (least > 0) & (least < 1)
@@ -90,10 +90,10 @@ def lamp_penumbra(
 
 
 def _penumbras(
-    points: Floats, lamp: Vector, things: Sequence[SceneObject]
+    points: Floats, lamp: Vector, items: Sequence[SceneObject]
 ) -> Iterator[tuple[Window, Floats]]:
-    """The places in the penumbra of each thing, in the window that its shadow may reach."""
-    solids = [thing.solid for thing in things]
+    """The places in the penumbra of each object, in the window that its shadow may reach."""
+    solids = [item.solid for item in items]
     corners = [shadow_corners(solid, lamp) for solid in solids]
     for solid, near in zip(solids, windows_between(points, corners), strict=True):
         if near is not None:

@@ -2,9 +2,9 @@
 surroundings.
 
 A map has nodes on a grid over each surface of the room, and at each node two shares: of the lamp
-and of the surroundings that the other things leave visible. Between the nodes they are bilinear.
+and of the surroundings that the other objects leave visible. Between the nodes they are bilinear.
 Colours and cosines are no part of it and stay exact. The finer the grid, the smaller the error,
-which is largest in a shadow near the thing that casts it, where it is sharpest.
+which is largest in a shadow near the object that casts it, where it is sharpest.
 """
 
 import math
@@ -19,15 +19,15 @@ from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.soft_shadows import bounding_radius, smooth_ramp
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
 from simulations.world.light import lamp_direction, lamp_penumbra, shadow_corners
+from simulations.world.still_life import SceneObject
 from simulations.world.surfaces import sky_visibility, windows_between
-from simulations.world.things import SceneObject
 from simulations.world.tracing import FACES, NUMBERED, Numbers
 from simulations.world.walls import ALONG
 
 FINE_M = 0.02
 """Spacing of the nodes on walls and floor."""
 IN_SHADOW, IN_LIGHT = 0.5, 4.0
-"""Spacings on the faces of things, relative to `FINE_M`: where the shadow of another thing may
+"""Spacings on the faces of objects, relative to `FINE_M`: where the shadow of another object may
 fall, which is sharp so near to it, and where none does."""
 BEYOND = 4.0
 """How far beyond both ends of a penumbra the map goes on, in widths of it."""
@@ -36,7 +36,7 @@ REACH = 3.0
 LEAST_NODES = 16
 """Cells of the map of a ball, however small, along each side of the square."""
 INSIDE_M = 1e-4
-"""How far from a surface another thing covers it."""
+"""How far from a surface another object covers it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,9 +143,9 @@ def light_map(light_angle: float, spacing: float = FINE_M) -> LightMap:
         ([_flat(wall, np.eye(3)[[*ALONG[wall]]], low, high, spacing)], ROOM)
         for wall, (low, high) in enumerate(bounds.swapaxes(1, 2))
     ]
-    for thing, first in NUMBERED:
-        patches = _patches_of(thing, first, spacing, lamp)
-        parts.append((patches, tuple(other for other in ROOM if other is not thing)))
+    for item, first in NUMBERED:
+        patches = _patches_of(item, first, spacing, lamp)
+        parts.append((patches, tuple(other for other in ROOM if other is not item)))
     shares = np.concatenate([_shares(patches, others, lamp) for patches, others in parts], axis=1)
     every = [patch for patches, _ in parts for patch in patches]
     sizes = np.array([patch.points.shape[:2] for patch in every], np.intp)
@@ -163,7 +163,7 @@ def light_map(light_angle: float, spacing: float = FINE_M) -> LightMap:
 
 
 def _shares(patches: Sequence[Patch], others: Sequence[SceneObject], lamp: Vector) -> Planes:
-    """Shares (2, nodes) of all nodes of some patches, which the same things may hide."""
+    """Shares (2, nodes) of all nodes of some patches, which the same objects may hide."""
     if len(patches) == 1:
         points, normals = patches[0].points, patches[0].normals
     else:
@@ -180,7 +180,7 @@ def _shares(patches: Sequence[Patch], others: Sequence[SceneObject], lamp: Vecto
 def _moved_to_sides(points: Floats, normals: Floats, others: Sequence[SceneObject]) -> Floats:
     """Points, with those under a box moved to its sides: they are hidden, but the light between
     them and their neighbours is visible."""
-    boxes = [thing.solid for thing in others if isinstance(thing.solid, Box)]
+    boxes = [item.solid for item in others if isinstance(item.solid, Box)]
     reach = [bounding_radius(box) * np.ones(3) for box in boxes]
     corners = [
         (box.centre - size, box.centre + size) for box, size in zip(boxes, reach, strict=True)
@@ -200,11 +200,11 @@ def _moved_to_sides(points: Floats, normals: Floats, others: Sequence[SceneObjec
 
 
 def shadowed_bounds(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
-    """Bounds (2,), along u and v, of the part of a wall on which a thing may cast a shadow; the
+    """Bounds (2,), along u and v, of the part of a wall on which an object may cast a shadow; the
     rest is as light as the edge of that part."""
     along, across, place = list(ALONG[wall]), wall // 2, (LOW, HIGH)[wall % 2][wall // 2]
     reached = []
-    for solid in (thing.solid for thing in ROOM):
+    for solid in (item.solid for item in ROOM):
         size = solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size)
         around = np.asarray(solid.centre)
         for low, high in (
@@ -220,8 +220,8 @@ def shadowed_bounds(wall: int, lamp: Vector) -> tuple[Floats, Floats]:
     return np.maximum(low, least), np.minimum(high, most)
 
 
-def _patches_of(thing: SceneObject, first: int, spacing: float, lamp: Vector) -> list[Patch]:
-    solid = thing.solid
+def _patches_of(item: SceneObject, first: int, spacing: float, lamp: Vector) -> list[Patch]:
+    solid = item.solid
     if isinstance(solid, Sphere):
         return [_round(solid, spacing)]
     axes, patches = solid.world_to_box, []
@@ -230,7 +230,7 @@ def _patches_of(thing: SceneObject, first: int, spacing: float, lamp: Vector) ->
         along = [(face // 2 + 1) % 3, (face // 2 + 2) % 3]
         bounds = places[along] - reach[along], places[along] + reach[along]
         coarse = _flat(first + face, axes[along], *bounds, IN_LIGHT * spacing)
-        shaded = _in_shadow(coarse, lamp, [other for other in ROOM if other is not thing])
+        shaded = _in_shadow(coarse, lamp, [other for other in ROOM if other is not item])
         patches.append(
             _flat(first + face, axes[along], *bounds, IN_SHADOW * spacing) if shaded else coarse
         )
@@ -238,7 +238,7 @@ def _patches_of(thing: SceneObject, first: int, spacing: float, lamp: Vector) ->
 
 
 def _in_shadow(patch: Patch, lamp: Vector, others: Sequence[SceneObject]) -> bool:
-    """Whether a face is turned to the lamp, and the shadow of another thing may fall on it."""
+    """Whether a face is turned to the lamp, and the shadow of another object may fall on it."""
     if patch.normals[0, 0] @ lamp <= 0:
         return False
     first, last = patch.points.min(axis=(0, 1)), patch.points.max(axis=(0, 1))

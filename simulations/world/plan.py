@@ -1,4 +1,4 @@
-"""Plan of the room: its outlines and things from above."""
+"""Plan of the room: its outlines and objects from above."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -14,8 +14,8 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.geometry.transforms import clip_to_rectangle
 from simulations.models.light.raycasting import Sphere
 from simulations.world.furniture import DOORWAY, HIGH, LOW, ROOM
+from simulations.world.still_life import SceneObject
 from simulations.world.surfaces import CHART
-from simulations.world.things import SceneObject
 
 WALLS = np.array([LOW[:2], (HIGH[0], LOW[1]), HIGH[:2], (LOW[0], HIGH[1])])
 """Corners (4, 2) of the floor, metres: x and y."""
@@ -24,7 +24,7 @@ CHART_EDGE = np.array([(CHART[0] + side * CHART[2], HIGH[1]) for side in (-0.5, 
 
 
 def plan_markup(place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.Point) -> str:
-    """Walls, chart, and things in their colours.
+    """Walls, chart, and objects in their colours.
 
     ``place`` takes places (n, 2) to the view box, of which the part from ``low`` to ``high`` is
     drawn.
@@ -44,7 +44,7 @@ def plan_markup(place: Callable[[Floats], Floats], low: drawing.Point, high: dra
 def outlines(
     place: Callable[[Floats], Floats], low: drawing.Point, high: drawing.Point
 ) -> Iterator[Floats]:
-    """Outlines (n, 2) of the things from above in the view box, clipped to ``low`` and ``high``;
+    """Outlines (n, 2) of the objects from above in the view box, clipped to ``low`` and ``high``;
     ``place`` takes places (n, 2) to the view box."""
     corners, starts = _corners()
     points = place(corners)
@@ -57,23 +57,23 @@ def outlines(
 
 @cache
 def _corners() -> tuple[Floats, list[int]]:
-    """The corners (n, 2) of all things from above, metres: x and y, and where each begins."""
-    outlines = [footprint(thing) for thing in ROOM]
+    """The corners (n, 2) of all objects from above, metres: x and y, and where each begins."""
+    outlines = [footprint(item) for item in ROOM]
     return np.concatenate(outlines), [0, *accumulate(map(len, outlines[:-1]))]
 
 
 @cache
 def _colours() -> list[list[float]]:
-    """sRGB of all things."""
-    return [encode_srgb(thing.albedo).tolist() for thing in ROOM]
+    """sRGB of all objects."""
+    return [encode_srgb(item.albedo).tolist() for item in ROOM]
 
 
 @cache
-def footprint(thing: SceneObject) -> Floats:
-    """Corners (n, 2) of a thing from above, metres: x and y."""
-    centre = np.asarray(thing.solid.centre[:2])
-    if isinstance(thing.solid, Sphere):
+def footprint(item: SceneObject) -> Floats:
+    """Corners (n, 2) of an object from above, metres: x and y."""
+    centre = np.asarray(item.solid.centre[:2])
+    if isinstance(item.solid, Sphere):
         turns = np.arange(24) * (math.tau / 24)
-        return centre + thing.solid.radius * np.stack([np.cos(turns), np.sin(turns)], -1)
-    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * np.asarray(thing.solid.size[:2]) / 2
-    return centre + corners @ thing.solid.world_to_box[:2, :2]
+        return centre + item.solid.radius * np.stack([np.cos(turns), np.sin(turns)], -1)
+    corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * np.asarray(item.solid.size[:2]) / 2
+    return centre + corners @ item.solid.world_to_box[:2, :2]

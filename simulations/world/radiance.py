@@ -14,8 +14,8 @@ from simulations.pictures.patterns import NARROWEST, stripes
 from simulations.world import light
 from simulations.world.furniture import BOUNCE, SKY, WALLS
 from simulations.world.light_maps import LightMap
+from simulations.world.still_life import SceneObject
 from simulations.world.surfaces import STRIPES_AXIS
-from simulations.world.things import SceneObject
 from simulations.world.tracing import (
     FACES,
     FIRST_BALL,
@@ -80,9 +80,9 @@ class Finish:
 @cache
 def surface_finish() -> Finish:
     rows: list[Planes] = [np.zeros(9, np.float32)] * len(WALLS)
-    for thing, _ in NUMBERED:
-        radius, faces = (thing.solid.radius, 1) if isinstance(thing.solid, Sphere) else (1.0, 6)
-        row = (*thing.albedo, thing.gloss, thing.shininess, *thing.solid.centre, radius)
+    for item, _ in NUMBERED:
+        radius, faces = (item.solid.radius, 1) if isinstance(item.solid, Sphere) else (1.0, 6)
+        row = (*item.albedo, item.gloss, item.shininess, *item.solid.centre, radius)
         rows += [np.array(row, np.float32)] * faces
     table = np.ascontiguousarray(np.stack(rows, axis=1))
     normals = np.zeros((3, table.shape[1]), np.float32)
@@ -216,10 +216,10 @@ def _radiance_of_things(samples: Samples, arriving: LightMap, lighting: Lighting
         outwards = (hits - looks.centres.take(numbers, axis=1)) / looks.radii.take(numbers)
         normals[:, balls] = outwards
         shares[:, balls] = arriving.on_ball(numbers, hits, outwards)
-    for thing, first in NUMBERED:
-        if thing.second_albedo and (at := np.flatnonzero(surface == first)).size:
+    for item, first in NUMBERED:
+        if item.second_albedo and (at := np.flatnonzero(surface == first)).size:
             vectors = (part.take(at, axis=1) for part in (directions, normals))
-            colours[:, at] = _striped(thing, samples.at(at), *vectors)
+            colours[:, at] = _striped(item, samples.at(at), *vectors)
     return _shaded(surface, directions, normals, colours, shares, lighting)
 
 
@@ -231,7 +231,7 @@ def _shaded(
     shares: Floats,
     lighting: Lighting,
 ) -> Planes:
-    """(3, n) light from things of these colours (3, n), with highlights where they are glossy."""
+    """(3, n) light from objects of these colours (3, n), with highlights where they are glossy."""
     lamp, upright, gain, _ = lighting.colours[:, :, None]
     direct = lamp * (np.maximum(lighting.towards @ normals, 0) * shares[0])
     direct += upright * shares[1]
@@ -255,10 +255,10 @@ def _shaded(
     return direct
 
 
-def _striped(thing: SceneObject, samples: Samples, directions: Floats, normals: Floats) -> Planes:
+def _striped(item: SceneObject, samples: Samples, directions: Floats, normals: Floats) -> Planes:
     """(3, n) colours of a striped ball. A pixel's footprint is computed on the tangent plane."""
-    assert isinstance(thing.solid, Sphere)
-    assert thing.second_albedo is not None
+    assert isinstance(item.solid, Sphere)
+    assert item.second_albedo is not None
     axis = STRIPES_AXIS.astype(np.float32)
     sine = np.clip(axis @ normals, -1.0, 1.0)
     facing = np.minimum(np.einsum("in,in->n", normals, directions), -LEAST_COSINE)
@@ -267,8 +267,8 @@ def _striped(thing: SceneObject, samples: Samples, directions: Floats, normals: 
     for step in samples.camera.turn.T[:2].astype(np.float32):
         squares += np.square(axis @ step - along * (step @ normals))
     slope = np.sqrt(squares / np.maximum(1.0 - sine * sine, LEAST_COSINE**2))
-    per_rad = thing.stripe_count / math.pi
-    pixel = samples.width * np.float32(per_rad / thing.solid.radius) * slope
+    per_rad = item.stripe_count / math.pi
+    pixel = samples.width * np.float32(per_rad / item.solid.radius) * slope
     share = stripes(np.arcsin(sine) * np.float32(per_rad), 2.0, 1.0, np.maximum(pixel, NARROWEST))
-    first, second = (np.array(each, np.float32) for each in (thing.albedo, thing.second_albedo))
+    first, second = (np.array(each, np.float32) for each in (item.albedo, item.second_albedo))
     return first[:, None] + np.multiply.outer(second - first, share.astype(np.float32))

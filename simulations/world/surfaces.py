@@ -21,7 +21,7 @@ from simulations.models.light.raycasting import (
 )
 from simulations.models.light.soft_shadows import bounding_radius, sphere_occlusion
 from simulations.pictures.patterns import band_about, checker, pixel_width, siemens_star, stripes
-from simulations.world.things import (
+from simulations.world.still_life import (
     OBJECTS,
     WALL_DISTANCE,
     WALL_HEIGHT,
@@ -55,9 +55,9 @@ INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surface:
-    """The visible side of one thing, in a window of the picture."""
+    """The visible side of one object, in a window of the picture."""
 
-    thing: SceneObject | None
+    item: SceneObject | None
     """None for the floor and the wall."""
     top: int
     left: int
@@ -73,37 +73,37 @@ class Surface:
     albedo: Planes
     """(3, h, w) linear RGB."""
     openness: Floats
-    """(h, w) share of the surroundings' light that is not hidden by other things."""
+    """(h, w) share of the surroundings' light that is not hidden by other objects."""
     depth: Floats
-    """(h, w) metres along the optical axis; one value for a whole thing."""
+    """(h, w) metres along the optical axis; one value for a whole object."""
 
 
 def surfaces(rays: WorldRays) -> tuple[Surface, ...]:
-    """Wall and floor, then the things in view from the farthest to the nearest."""
+    """Wall and floor, then the objects in view from the farthest to the nearest."""
     ordered = sorted(OBJECTS, key=object_depth, reverse=True)
-    found = (_object_surface(thing, rays) for thing in ordered)
+    found = (_object_surface(item, rays) for item in ordered)
     return (*_wall_and_floor(rays), *(surface for surface in found if surface is not None))
 
 
-def _object_surface(thing: SceneObject, rays: WorldRays) -> Surface | None:
-    window = _window(thing, rays)
+def _object_surface(item: SceneObject, rays: WorldRays) -> Surface | None:
+    window = _window(item, rays)
     if window is None:
         return None
     directions = rays.directions[window]
-    hit = intersect(thing.solid, rays.eye, directions)
+    hit = intersect(item.solid, rays.eye, directions)
     coverage = _covered(hit.margin, rays.area) * rays.valid[window]
     if not coverage.any():
         return None
     points, facing = rays.as_stored(hit.points), hit.normals
-    if points is not hit.points and isinstance(thing.solid, Sphere):
-        outwards = points - thing.solid.centre
+    if points is not hit.points and isinstance(item.solid, Sphere):
+        outwards = points - item.solid.centre
         facing = outwards / np.linalg.norm(outwards, axis=-1, keepdims=True)
-    normals = _mean_normals(thing.solid, rays, directions, facing)
-    albedo, depth = object_albedo(thing, facing, rays.area), object_depth(thing) + rays.back
+    normals = _mean_normals(item.solid, rays, directions, facing)
+    albedo, depth = object_albedo(item, facing, rays.area), object_depth(item) + rays.back
     openness = sky_visibility(points, facing, OBJECTS)
     rows, columns = window
     return Surface(
-        thing=thing,
+        item=item,
         top=rows.start,
         left=columns.start,
         points=points,
@@ -133,11 +133,11 @@ def _mean_normals(
     return (facing * np.moveaxis(shares / shares.sum(axis=0), 0, -1)) @ axes
 
 
-def _window(thing: SceneObject, rays: WorldRays) -> Window | None:
-    """Rows and columns, with a margin, of the pixels whose rays pass near the thing."""
-    to_centre = np.asarray(thing.solid.centre) - rays.eye
+def _window(item: SceneObject, rays: WorldRays) -> Window | None:
+    """Rows and columns, with a margin, of the pixels whose rays pass near the object."""
+    to_centre = np.asarray(item.solid.centre) - rays.eye
     distance = float(np.linalg.norm(to_centre))
-    spread = math.asin(min(1.0, bounding_radius(thing.solid) / distance))
+    spread = math.asin(min(1.0, bounding_radius(item.solid) / distance))
     near = (rays.directions @ (to_centre / distance) > math.cos(spread)) & rays.valid
     return window_of(near, margin=2)
 
@@ -153,14 +153,14 @@ def window_of(mask: Mask, margin: int = 1) -> Window | None:
     return slice(top, bottom), slice(left, right)
 
 
-def object_albedo(thing: SceneObject, normals: Floats, area: bool) -> Planes:
-    if thing.second_albedo is None:
-        colour = np.array(thing.albedo, np.float32)
+def object_albedo(item: SceneObject, normals: Floats, area: bool) -> Planes:
+    if item.second_albedo is None:
+        colour = np.array(item.albedo, np.float32)
         return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
     latitude = np.arcsin(np.clip(normals @ STRIPES_AXIS, -1.0, 1.0))
-    place = latitude * (thing.stripe_count / math.pi)  # a stripe is 1 wide
+    place = latitude * (item.stripe_count / math.pi)  # a stripe is 1 wide
     share = stripes(place, 2.0, 1.0, pixel_width(place, area))
-    return mixed(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
+    return mixed(np.asarray(item.albedo), np.asarray(item.second_albedo), share)
 
 
 def mixed(first: Floats, second: Floats, share: Floats) -> Planes:
@@ -173,19 +173,19 @@ def mixed(first: Floats, second: Floats, share: Floats) -> Planes:
 def sky_visibility(
     points: Floats,
     normals: Floats,
-    things: Sequence[SceneObject],
+    items: Sequence[SceneObject],
     reach: float = OCCLUSION_REACH,
 ) -> Floats:
-    """Share of the surroundings that the things do not hide; boxes count as balls inside them.
+    """Share of the surroundings that the objects do not hide; boxes count as balls inside them.
 
-    A thing hides nothing from points on its own surface, from which its inside is behind."""
+    An object hides nothing from points on its own surface, from which its inside is behind."""
     openness = np.ones(points.shape[:2])
     balls = [
         (
             np.array(solid.centre),
             solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size),
         )
-        for solid in (thing.solid for thing in things)
+        for solid in (item.solid for item in items)
     ]
     reached = ((at - reach * radius, at + reach * radius) for at, radius in balls)
     for (centre, radius), near in zip(balls, windows_between(points, reached), strict=True):
@@ -238,7 +238,7 @@ def _backdrop(rays: WorldRays, plane: tuple[Vector, Vector], share: Floats) -> S
     coverage = share[top:bottom] * rays.valid[top:bottom]
     albedo = (floor_albedo if plane is FLOOR_PLANE else wall_albedo)(points, rays.area)
     return Surface(
-        thing=None,
+        item=None,
         top=top,
         left=0,
         points=points,

@@ -20,7 +20,7 @@ from simulations.models.light.raycasting import Box, Sphere
 from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.pinhole import invert_pose
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
-from simulations.world.things import SceneObject
+from simulations.world.still_life import SceneObject
 
 type Surfaces = NDArray[np.uint8]
 type Numbers = NDArray[np.intp]
@@ -56,20 +56,20 @@ def _faces_of(box: Box) -> Faces:
 
 
 def _numbered() -> Iterator[tuple[SceneObject, int]]:
-    """The things with the numbers of their first surfaces: six for a box, then one for a ball."""
+    """The objects with the numbers of their first surfaces: six for a box, then one for a ball."""
     count = len(WALLS)
     for kind, surfaces in ((Box, 6), (Sphere, 1)):
-        for thing in ROOM:
-            if isinstance(thing.solid, kind):
-                yield thing, count
+        for item in ROOM:
+            if isinstance(item.solid, kind):
+                yield item, count
                 count += surfaces
 
 
 NUMBERED = tuple(_numbered())
-"""All things, boxes first, each with the number of its first surface; the walls are before them."""
-FIRST_BALL = next(first for thing, first in NUMBERED if isinstance(thing.solid, Sphere))
+"""All objects, boxes first, with the number of their first surface; the walls are before them."""
+FIRST_BALL = next(first for item, first in NUMBERED if isinstance(item.solid, Sphere))
 OF_ROOM = Box(tuple(((np.array(LOW) + HIGH) / 2).tolist()), tuple(np.subtract(HIGH, LOW).tolist()))
-BOXES = (OF_ROOM, *(thing.solid for thing, _ in NUMBERED if isinstance(thing.solid, Box)))
+BOXES = (OF_ROOM, *(item.solid for item, _ in NUMBERED if isinstance(item.solid, Box)))
 FACES = Faces(
     np.concatenate([_faces_of(box).normals for box in BOXES]),
     np.concatenate([_faces_of(box).offsets for box in BOXES]),
@@ -79,15 +79,15 @@ PARTS = np.array(
     [
         *range(len(WALLS)),
         *(
-            len(WALLS) + [other is thing for other in ROOM].index(True)
-            for thing, _ in NUMBERED
-            for _ in range(6 if isinstance(thing.solid, Box) else 1)
+            len(WALLS) + [other is item for other in ROOM].index(True)
+            for item, _ in NUMBERED
+            for _ in range(6 if isinstance(item.solid, Box) else 1)
         ),
     ],
     np.uint8,
 )
 """(surfaces,) index into `NAMES` of what each surface is a part of."""
-CENTRES = np.array([thing.solid.centre for thing, _ in NUMBERED])
+CENTRES = np.array([item.solid.centre for item, _ in NUMBERED])
 CORNERS = np.array(
     [
         np.asarray(box.centre) + np.array(signs) * box.size / 2 @ box.world_to_box
@@ -95,13 +95,13 @@ CORNERS = np.array(
         for signs in product((-1, 1), repeat=3)
     ]
 ).reshape(-1, 8, 3)
-"""(boxes, 8, 3) of the things, metres."""
-RADII = np.array([bounding_radius(thing.solid) for thing, _ in NUMBERED])
+"""(boxes, 8, 3) of the objects, metres."""
+RADII = np.array([bounding_radius(item.solid) for item, _ in NUMBERED])
 
 
 @dataclass(frozen=True, slots=True)
 class Camera:
-    """A pinhole camera, and how it sees the planes and the things of the room."""
+    """A pinhole camera, and how it sees the planes and the objects of the room."""
 
     eye: Floats
     """(3,) metres."""
@@ -112,7 +112,7 @@ class Camera:
     faces: Planes
     """(faces, 3) the coefficients of x, y and 1 in the nearness of the plane."""
     windows: list[list[float]]
-    """For each thing the columns and the rows, from and to, between which it is seen."""
+    """For each object the columns and the rows, from and to, between which it is seen."""
 
     def directions(self, x: Floats, y: Floats) -> Planes:
         """(3, ...) of the rays through places, one metre deep."""
@@ -165,14 +165,14 @@ def trace(camera: Camera, x: Floats, y: Floats) -> FirstHits:
             _number(surface, level > nearness, wall)
             np.maximum(nearness, level, out=nearness)
     parts = _of_list if x.shape == y.shape else _of_grid
-    for (thing, first), (window, columns, rows) in zip(
+    for (item, first), (window, columns, rows) in zip(
         NUMBERED, parts(camera.windows, x, y), strict=True
     ):
         before = nearness[window]
         if before.size:
             near, face = (
-                (_nearness_of_ball(camera, thing.solid, columns, rows), np.uint8(0))
-                if isinstance(thing.solid, Sphere)
+                (_nearness_of_ball(camera, item.solid, columns, rows), np.uint8(0))
+                if isinstance(item.solid, Sphere)
                 else _nearness_of_box(camera, first, columns, rows)
             )
             surface[window] = np.where(near > before, face + np.uint8(first), surface[window])
@@ -249,7 +249,7 @@ def _nearness_of_ball(camera: Camera, ball: Sphere, x: Floats, y: Floats) -> Flo
 
 
 def _windows(eye: Floats, turn: Floats) -> list[list[float]]:
-    """For each thing the columns and the rows between which it is seen; none of them if it is
+    """For each object the columns and the rows between which it is seen; none of them if it is
     behind the camera.
 
     A box is seen between its corners. Column x is the plane through the eye with the normal

@@ -24,15 +24,15 @@ def _span(*bounds: tuple[int, int]) -> frozenset[int]:
     return frozenset(code for first, last in bounds for code in range(first, last + 1))
 
 
-def _each(characters: str) -> frozenset[int]:
+def _chars(characters: str) -> frozenset[int]:
     return frozenset(map(ord, characters))
 
 
 LATIN = _span((0x20, 0x7E), (0xA0, 0x17F))
-GREEK = _span((0x391, 0x3A1), (0x3A3, 0x3C9)) | _each("ϑϕϵ")
+GREEK = _span((0x391, 0x3A1), (0x3A3, 0x3C9)) | _chars("ϑϕϵ")
 SPACES = _span((0x2002, 0x200A), (0x202F, 0x202F))
-PUNCTUATION = SPACES | _each("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
-INLINE_MATHS = _each("←↑→↓↔⇒−×÷±·∙√∞≈≠≤≥∂∆∏∑∫∈∥⟂ℓ°⁻⁺ⁿ⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉½⅓⅔¼¾✓✗")
+PUNCTUATION = SPACES | _chars("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
+INLINE_MATHS = _chars("←↑→↓↔⇒−×÷±·∙√∞≈≠≤≥∂∆∏∑∫∈∥⟂ℓ°⁻⁺ⁿ⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉½⅓⅔¼¾✓✗")
 TEXT = LATIN | GREEK | PUNCTUATION | INLINE_MATHS
 FORMULAE = (
     _span((0x20, 0x7E), (0xA0, 0xFF))
@@ -59,7 +59,7 @@ FORMULAE = (
         (0x1D6A4, 0x1D755),  # dotless; Greek bold, italic, bold italic
         (0x1D7CE, 0x1D7E1),  # bold and double-struck digits
     )
-    | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
+    | _chars("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
 )
 
 ALWAYS_WITH_FORMULAE = FORMULAE & (
@@ -74,8 +74,8 @@ ALWAYS_WITH_FORMULAE = FORMULAE & (
         (0x1D6E2, 0x1D71B),  # Greek: italic
         (0x1D7CE, 0x1D7D7),  # bold digits
     )
-    | _each("()/[]\\_{}|‖√∣∥∏∐∑∫∬∭∮⋀⋁⋂⋃⌈⌉⌊⌋⟨⟩⏜⏝⏞⏟⎴⎵‾¯")  # what stretches
-    | _each("←→↔⟶⇒⇔↑↓∈∉⊂⊆∪∩∀∃∧∨¬⊕⊗⟂⊤⊥⋅∘∙·×÷±∓−≈≠≤≥≲≳≪≫∗≡≃≅∼∝∂∇∞∆…⋯⋮⋱°′″⁻⁺\u2011\xa0µϵℎℓℝ𝜹\u20d7")
+    | _chars("()/[]\\_{}|‖√∣∥∏∐∑∫∬∭∮⋀⋁⋂⋃⌈⌉⌊⌋⟨⟩⏜⏝⏞⏟⎴⎵‾¯")  # what stretches
+    | _chars("←→↔⟶⇒⇔↑↓∈∉⊂⊆∪∩∀∃∧∨¬⊕⊗⟂⊤⊥⋅∘∙·×÷±∓−≈≠≤≥≲≳≪≫∗≡≃≅∼∝∂∇∞∆…⋯⋮⋱°′″⁻⁺\u2011\xa0µϵℎℓℝ𝜹\u20d7")
 )
 """What the face that formulae need first holds: letters, common signs, and every sign that
 stretches. Browsers draw roots, fences, braces and big operators from the first face of a family

@@ -16,7 +16,7 @@ from simulations.models.light.raycasting import Sphere
 from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.camera import scene as camera
-from simulations.world.things import OBJECTS, object_depth
+from simulations.world.still_life import OBJECTS, object_depth
 
 CHAPTER = "10-speed-and-accuracy"
 

@@ -17,8 +17,8 @@ from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
 from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.world import furniture, room
 from simulations.world.depth import ray_depth
+from simulations.world.still_life import view
 from simulations.world.surfaces import surfaces
-from simulations.world.things import view
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ from simulations.scenes.camera.stages import (
     quantise,
     read_noise_e,
 )
-from simulations.world import things as still_life
+from simulations.world import still_life
 
 FOCUS_M = 3.2
 FOLDS = [(24.0, -0.4), (24.0, -0.2), (30.0, -0.3), (33.0, -0.4)]  # the fold is in the picture
@@ -123,11 +123,11 @@ def test_ball_is_centred_on_its_projected_outline(focus: float) -> None:
     rows, columns = done["pinhole rays"].valid.shape
     centre = ((columns - 1) / 2, (rows - 1) / 2)
     K = pinhole.intrinsics(sensor_mm(24.0, focus) / PITCH_MM, centre)
-    things = [part for part in done["surfaces"] if part.thing is not None]
-    balls = [part for part in things if isinstance(part.thing.solid, Sphere)]
+    items = [part for part in done["surfaces"] if part.item is not None]
+    balls = [part for part in items if isinstance(part.item.solid, Sphere)]
     assert len(balls) == 4
     for part in balls:
-        ball = part.thing.solid
+        ball = part.item.solid
         at = pinhole.world_to_camera(ball.centre, still_life.WORLD_TO_CAMERA)
         dual = K @ (np.outer(at, at) - ball.radius**2 * np.eye(3)) @ K.T
         down, across = np.indices(part.coverage.shape)
@@ -171,9 +171,9 @@ def test_dolly_zoom_keeps_only_the_striped_ball_the_same_size(name: str) -> None
     areas, ellipses = [], []
     for back in (0, 3):
         parts = outputs(back=back, focal_length=24)["surfaces"]
-        (ball,) = (part for part in parts if part.thing and part.thing.name == name)
-        x, y, z = pinhole.world_to_camera(ball.thing.solid.centre, still_life.WORLD_TO_CAMERA)
-        away, r = z + back, ball.thing.solid.radius
+        (ball,) = (part for part in parts if part.item and part.item.name == name)
+        x, y, z = pinhole.world_to_camera(ball.item.solid.centre, still_life.WORLD_TO_CAMERA)
+        away, r = z + back, ball.item.solid.radius
         assert ball.depth.max() == pytest.approx(away)
         outline = math.sqrt(x**2 + y**2 + away**2 - r**2) / (away**2 - r**2) ** 1.5
         areas.append(ball.coverage.sum())

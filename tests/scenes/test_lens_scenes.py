@@ -25,7 +25,7 @@ from simulations.scenes.still_life import (
     floor_row,
 )
 from simulations.scenes.still_life import SCENE as STILL_LIFE
-from simulations.world.things import OBJECTS, object_depth
+from simulations.world.still_life import OBJECTS, object_depth
 
 
 def light_through(**given: object) -> Floats:

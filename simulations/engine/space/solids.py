@@ -72,7 +72,7 @@ class _Piece:
     """A part of a solid, with one depth."""
 
     depth: float
-    thing: int
+    index: int
     """Index of its solid."""
     markup: str = ""
     segment: tuple[list[float], list[float]] | None = None
@@ -88,8 +88,8 @@ def draw_solids(solids: Sequence[Solid], view: View) -> str:
     ]
     pieces.sort(key=lambda piece: -round(piece.depth, DIGITS))  # stable: equals keep their order
     parts: list[str] = []
-    for thing, group in groupby(pieces, key=lambda piece: piece.thing):
-        solid, together = solids[thing], list(group)
+    for index, group in groupby(pieces, key=lambda piece: piece.index):
+        solid, together = solids[index], list(group)
         if isinstance(solid, Wire):
             segments = [piece.segment for piece in together if piece.segment]
             parts.append(drawing.path(_joined(segments), solid.style))

@@ -28,11 +28,11 @@ from simulations.scenes._still_life_camera import (
     largest_blur_px,
     principal_mm,
 )
-from simulations.world.things import OBJECTS, object_depth
+from simulations.world.still_life import OBJECTS, object_depth
 
 STRONGEST_BARREL = -0.4  # the lowest k₁ of the slider
-SUBJECT_M = object_depth(next(thing for thing in OBJECTS if thing.name == "striped ball"))
-"""Depth before the step of the thing that keeps its size."""
+SUBJECT_M = object_depth(next(item for item in OBJECTS if item.name == "striped ball"))
+"""Depth before the step of the object that keeps its size."""
 MARGINS_PX = (4, 8, 16, 24, 32, 48, 72)
 """Widths of a margin: few, so that most changes of k₁ do not change the straight picture. The least
 is drawn for k₁ = 0 too, so that the first change need not redraw it."""
@@ -57,7 +57,7 @@ class Settings:
 def after_step(settings: Settings) -> Settings:
     """The settings with the focal length and the focus that the camera has after its step back.
 
-    It zooms in, so that one thing keeps its size, and stays focused on the same thing. The sliders
+    It zooms in, so that one object keeps its size, and stays focused on it. The sliders
     are for the lens and the focus before the step.
     """
     if not settings.back:

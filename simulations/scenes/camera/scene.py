@@ -1,5 +1,5 @@
 """Interactive Camera Simulator: every stage of image formation at once, on a still life, and a plan
-of camera, wedge of view, things, and the planes in focus."""
+of camera, wedge of view, objects, and the planes in focus."""
 
 import math
 from collections.abc import Iterator
@@ -36,14 +36,14 @@ from simulations.scenes.camera.stages import (
     shutter_s,
 )
 from simulations.world.depth import ray_depth
-from simulations.world.things import OBJECTS, WALL_DISTANCE, SceneObject
+from simulations.world.still_life import OBJECTS, WALL_DISTANCE, SceneObject
 
 SIZE = WIDTH, HEIGHT = 400.0, 267.0  # of both panels: the 3 : 2 of the sensor
 UNITS_PER_METRE = 27.0
 CAMERA_ROW = HEIGHT - 26.0  # on which the lens is; the floor recedes upwards
 UNITS_BEHIND_THE_WALL = 10.0  # per metre of focus behind the wall
 FOCUS_COLUMN = WIDTH - 20.0  # of the mark of the distance in focus
-EDGE_DEPTH = 7.5  # of the mark of the edge of the field of view, metres: clear of all things
+EDGE_DEPTH = 7.5  # of the mark of the edge of the field of view, metres: clear of all objects
 # Distance of the centre of the lamp's circle, and its radius, metres.
 STILL_LIFE_MIDDLE, LAMP_DISTANCE = 3.9, 3.5
 
@@ -99,7 +99,7 @@ def plan(
     yield from in_focus(settings, half_tan, near, far)
     yield drawing.line((8.0, wall), (WIDTH - 8.0, wall), "world bold")
     yield drawing.text((10, wall - 7), f"wall, {WALL_DISTANCE + back:.3g} m", "world small")
-    yield from (swatch(thing, back) for thing in OBJECTS)
+    yield from (swatch(item, back) for item in OBJECTS)
     # The lamp's direction as an arrow to the middle of the still life, on a circle around it.
     start = lamp_at(settings)
     yield drawing.arrow(start, lamp_at(settings, None, 2.3), "light bold")
@@ -132,9 +132,9 @@ def in_focus(settings: Settings, half_tan: float, near: float, far: float) -> It
     yield drawing.dot(mark, "ray")
 
 
-def swatch(thing: SceneObject, back: float) -> str:
-    """The thing in its own colour, which distinguishes it from the others."""
-    match thing.solid:
+def swatch(item: SceneObject, back: float) -> str:
+    """The object in its own colour, which distinguishes it from the others."""
+    match item.solid:
         case Sphere(centre=(x, y, _), radius=radius):
             reach, middle = radius * units_per_metre(back), on_plan(x, y, back)
             turns = np.linspace(0.0, 2.0 * math.pi, 36, endpoint=False)
@@ -144,7 +144,7 @@ def swatch(thing: SceneObject, back: float) -> str:
             local = ((-x, -y, 0.0), (x, -y, 0.0), (x, y, 0.0), (-x, y, 0.0))
             corners = [np.array(corner) @ box.world_to_box + box.centre for corner in local]
             outline = [on_plan(float(corner[0]), float(corner[1]), back) for corner in corners]
-    return swatch_polygon(outline, encode_srgb(thing.albedo).tolist())
+    return swatch_polygon(outline, encode_srgb(item.albedo).tolist())
 
 
 def shutter_text(seconds: float) -> str:

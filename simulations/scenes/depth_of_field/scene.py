@@ -56,7 +56,7 @@ class Settings:
 def diagram_f_number(settings: Settings) -> float:
     """The aperture, or stopped down until no disc in the picture is over `LARGEST_DRAWN_PX`.
 
-    The widths of all discs are proportional to the aperture, so the focus and the sizes of things
+    The widths of all discs are proportional to the aperture, so the focus and the sizes of objects
     stay the same.
     """
     widest = stages.widest_px(settings.focal_length, settings.aperture, settings.focus)
@@ -177,7 +177,7 @@ def rim_mark(settings: Settings, _outputs: Outputs) -> Point | None:
 
 
 def focus_on(settings: Settings, place: Point) -> dict[str, Value]:
-    """Focus on the thing at a place of the picture; not available without an image."""
+    """Focus on the object at a place of the picture; not available without an image."""
     if not settings.has_image:
         return {}
     across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM

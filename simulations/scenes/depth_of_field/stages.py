@@ -46,7 +46,7 @@ from simulations.scenes._still_life_camera import (
     through_lens,
 )
 from simulations.world.layers import LitScene
-from simulations.world.things import OBJECTS, WALL_DISTANCE, object_depth
+from simulations.world.still_life import OBJECTS, WALL_DISTANCE, object_depth
 
 WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
 NEAR_M, FAR_M = object_depth(OBJECTS[0]), WALL_DISTANCE
@@ -121,7 +121,7 @@ def widest_px(focal_length: float, aperture: float, focus: float) -> float:
 
 
 def depth_of(lit: LitScene) -> Floats:
-    """Depth (H, W) of the foremost thing that covers more than half of the pixel, metres."""
+    """Depth (H, W) of the foremost object that covers more than half of the pixel, metres."""
     depth = lit.base_depth.copy()
     height, width = depth.shape
     for layer, layer_depth in zip(lit.layers, lit.depths, strict=True):
@@ -185,7 +185,7 @@ def floor_row(focal_length: float, focus: float) -> float | None:
 
 
 def focus_line(lit: LitScene, focal_length: float, focus: float, enlarged: float) -> str:
-    """SVG of the line in which the plane of focus cuts the floor, where no thing hides it."""
+    """SVG of the line in which the plane of focus cuts the floor, where no object hides it."""
     row = floor_row(focal_length, focus)
     return "" if row is None else line_on_floor(lit, row, WIDTH, HEIGHT, enlarged)
 

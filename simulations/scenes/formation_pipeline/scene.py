@@ -37,7 +37,7 @@ from simulations.scenes.formation_pipeline.stations import (
 from simulations.world.light import LAMP_ELEVATION_RAD, lamp_direction
 from simulations.world.radiance import Lighting
 from simulations.world.room import finer, light_of
-from simulations.world.things import WALL_DISTANCE
+from simulations.world.still_life import WALL_DISTANCE
 
 type Legs = tuple[tuple[Point, ...], ...]
 

@@ -17,8 +17,8 @@ from simulations.models.light.soft_shadows import bounding_radius
 from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
 from simulations.models.projection.pinhole import intrinsics, project, rigid_pose, world_to_camera
 from simulations.world.furniture import HIGH, LOW
+from simulations.world.still_life import OBJECTS
 from simulations.world.surfaces import CHART
-from simulations.world.things import OBJECTS
 
 HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
 """Half the picture, in pixels from the principal point."""
@@ -29,7 +29,7 @@ REFERENCE_DEPTH_M = 5.0
 NEAR_M = 0.05
 """Parts nearer than this to the plane of the centre are not drawn: their image is too far off."""
 
-BALL = next(thing.solid for thing in OBJECTS if thing.name == "pearl")
+BALL = next(item.solid for item in OBJECTS if item.name == "pearl")
 TOP = np.array([*BALL.centre[:2], BALL.centre[2] + bounding_radius(BALL)])
 """The point: the top of the white ball, metres in the room's world."""
 

@@ -240,9 +240,9 @@ def marks(view: Section, glass: Glass, height: float, opening: float) -> Iterato
     gap = float(gaps[np.abs(gaps - 0.5 * height).argmin()])
     aside = 5 if abs(entry[1] - AXIS_Y) > 40 else 18  # beside the ring of the handle
     yield text((entry[0] - aside, entry_mark(far, gap)[1] + 4), "h", "ray italic ground", "end")
-    thing = object_mark(far)
-    if thing:
-        yield dot(thing, "world", 5)
+    speck = object_mark(far)
+    if speck:
+        yield dot(speck, "world", 5)
     yield text(view.at(0.0, -BLADE_MM - 5.0), "opening", "ground", "middle")
 
 

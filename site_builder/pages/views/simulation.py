@@ -356,5 +356,5 @@ def thumbnail(chapter: Chapter, initial_frames: InitialFrames) -> InitialFrame |
     """The chapter's first figure with a picture in its main panel, else its first; None where it
     has no figure."""
     frames = [initial_frames[figure.path, figure.line] for figure in chapter.simulations]
-    pictured = (frame for frame in frames if frame.main_panel.name in frame.pictures)
-    return next(pictured, next(iter(frames), None))
+    with_picture = (frame for frame in frames if frame.main_panel.name in frame.pictures)
+    return next(with_picture, next(iter(frames), None))

@@ -1,6 +1,6 @@
 """The still life: balls and boxes on a chequered floor, from 1.7 to 8 metres away.
 
-World axes: x right, y away from the camera, z up, metres; the floor is z = 0. Each thing is ray
+World axes: x right, y away from the camera, z up, metres; the floor is z = 0. Each object is ray
 cast and lit by itself, including its hidden parts, so that blur by a lens can reveal them later.
 """
 
@@ -52,7 +52,7 @@ OBJECTS = (
     SceneObject("pearl", resting(1.15, 5.1, 0.55), (0.74, 0.71, 0.69), gloss=0.4, shininess=90),
     SceneObject("plum box", Box((-1.75, 6.5, 0.6), (0.8, 0.7, 1.2), -0.35), (0.33, 0.10, 0.26)),
 )
-"""The things, nearest first. No two overlap."""
+"""The objects, nearest first. No two overlap."""
 
 WALL_DISTANCE = 8.0  # distance of the back wall, metres along y
 WALL_HEIGHT = 4.0
@@ -135,6 +135,6 @@ def depth_along_axis(points: Floats) -> Floats:
     return points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
 
 
-def object_depth(thing: SceneObject) -> float:
-    """Depth of the thing's centre along the optical axis, metres."""
-    return float(depth_along_axis(np.asarray(thing.solid.centre)))
+def object_depth(item: SceneObject) -> float:
+    """Depth of the object's centre along the optical axis, metres."""
+    return float(depth_along_axis(np.asarray(item.solid.centre)))
