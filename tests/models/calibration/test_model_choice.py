@@ -36,6 +36,15 @@ def test_true_model_of_the_photographs_is_supported(lens: Distortion, expected: 
     )
 
 
+def test_errors_count_the_distance_to_the_richest_model() -> None:
+    trials = compare(photographs(6, seed=3).views(0.3), SIZE)
+    chosen, richest = supported(trials), next(each for each in trials if each.lens == "k3")
+    off = chosen.fit.camera.values(PINHOLE) - richest.fit.camera.values(PINHOLE)
+    noise = np.sqrt(np.diagonal(chosen.uncertainty.covariance)[:4])
+    errors = [chosen.uncertainty.errors[name] for name in PINHOLE]
+    assert np.all(errors >= np.hypot(noise, off))
+
+
 @pytest.mark.parametrize(("worse", "expected"), [(1.004, "k1"), (1.006, "k1k2")])
 def test_simpler_model_is_supported_within_half_a_per_cent(worse: float, expected: str) -> None:
     trials = compare(photographs(4, seed=7).views(0.1), SIZE)[1:3]
