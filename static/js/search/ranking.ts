@@ -47,6 +47,10 @@ const BOOST = {
 };
 /** Letters from which a word that the book has not may be misspelt, once and twice. */
 const MISSPELT = { once: 6, twice: 12 };
+/** Words of one family begin alike: with this share of the word, and endings of at most so many letters. */
+const FAMILY = { shared: 0.7, least: 5, ending: 4 };
+/** Letters of the shorter part of a compound. */
+const COMPOUND = 3;
 /** Letters of a word that may be the beginning of others, in a query of several words. */
 const BEGINNING = 4;
 /** Weights of words that only begin as the query, or are only similar. */
@@ -81,7 +85,7 @@ export function indexOptions(language: Language) {
 
 /**
  * The sections that have all words; where there is none, those with some of them. Best first. A word
- * that the book has not, in any form, stands for those that are spelt nearly so.
+ * that the book has not, in any form, stands for its parts, its family, or words spelt nearly so.
  *
  * @param index A MiniSearch.
  */
@@ -96,9 +100,10 @@ export function searchSections(
     index.search({ combineWith, queries }, SEARCH);
   const least = words.length > 1 ? BEGINNING : 2;
   const exactly = words.map((word) => queryFor(word, language, least));
-  const known = exactly.map((query) => search([query], "AND").length > 0);
+  const isFound = (query: any) => search([query], "AND").length > 0;
+  const known = exactly.map(isFound);
   const queries = words.map(({ whole }, place) =>
-    known[place] ? exactly[place] : misspelt(whole),
+    known[place] ? exactly[place] : (relatives(whole, language).find(isFound) ?? misspelt(whole)),
   );
   const all = search(queries, "AND");
   const found = all.length > 0 ? all : search(queries, "OR");
@@ -113,6 +118,26 @@ const SEARCH = {
   tokenize: (form: string) => [form],
   processTerm: (form: string) => form,
 };
+
+/** What a word may mean that the book has not: two words written as one, or a word of its family. */
+function* relatives(word: string, language: Language) {
+  for (let at = COMPOUND; at <= word.length - COMPOUND; at++) {
+    const parts = [word.slice(0, at), word.slice(at)];
+    const queries = parts.map((part) => ({ combineWith: "OR", queries: formsOf(part, language) }));
+    yield { combineWith: "AND", queries };
+  }
+  const least = Math.max(FAMILY.least, Math.ceil(FAMILY.shared * word.length));
+  if (least > word.length) return;
+  const boostDocument = (_section: number, term: string) => Number(isKin(word, term));
+  yield { queries: [word.slice(0, least)], prefix: true, boostDocument };
+}
+
+/** Whether two words begin alike and differ in short endings only. */
+function isKin(word: string, term: string) {
+  let same = 0;
+  while (same < word.length && word[same] === term[same]) same++;
+  return Math.max(word.length, term.length) - same <= FAMILY.ending;
+}
 
 /** The words that are meant by one that the book has not: a short word is never another one. */
 function misspelt(word: string) {
