@@ -32,8 +32,10 @@ def colour_rules(colours: Colours) -> str:
         f"""
 .overlay .{name}, .role-{name} {{ color: var({variable}); }}
 .readout.role-{name} {{ --mark: var({variable}); }}
-simulation-figure[data-lit="{name}"] .overlay > :not(.{name}, :has(.{name}), text.muted) {{
-  opacity: 0.25;
+simulation-figure[data-lit="{name}"] .overlay {{
+  > :not(.{name}, :has(.{name}), text.muted) {{ opacity: 0.25; }}
+  > rect.ground {{ opacity: 0; }}
+  > rect.ground:has(+ :is(.{name}, text.muted)) {{ opacity: 1; }}
 }}
 [data-lit="{name}"] .role-{name}:not({LIT_OTHERWISE}) {{
   border-radius: var(--radius);
