@@ -31,13 +31,15 @@ def test_controls_tools_and_panels_are_folded_on_a_phone_until_needed(
 
     phone.open(chapter_of(book, "jpeg"), live=False)
     figure = phone.figure("jpeg")
-    dots, edit = figure.locator("[data-further]"), figure.locator(".open-python")
+    dots, folded = figure.locator("[data-further]"), figure.locator(".open-python, [data-reset]")
     more = figure.locator(".more-controls > summary")
     assert more.evaluate(IN_ONE_ROW, dots.element_handle())
-    expect(edit).to_be_hidden()
+    expect(figure.locator("[data-copy-link]")).to_be_visible()
     for shown in (True, False):
         dots.tap()
-        expect(edit).to_be_visible(visible=shown)
+        expect(folded).to_have_count(2)
+        for each in folded.all():
+            expect(each).to_be_visible(visible=shown)
 
     phone.open(chapter_of(book, "lens-distortion"), live=False)
     figure = phone.page.locator(OF_THREE_PANELS)

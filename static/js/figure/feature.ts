@@ -35,10 +35,11 @@ function installGestures() {
   document.addEventListener("click", handleClick);
   document.addEventListener("input", markTouched);
   document.addEventListener("figure-rest", recordState);
-  // Copying needs its script at the press: browsers forbid it a moment later.
-  document.addEventListener("toggle", fetchTools, true);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
-  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight);
+  for (const type of ["pointerover", "focusin"]) {
+    document.addEventListener(type, highlight);
+    document.addEventListener(type, fetchTools);
+  }
   for (const type of ["pointerdown", "keydown"]) document.addEventListener(type, noteUse);
   document.addEventListener("scroll", markDot, { capture: true, passive: true });
 }
@@ -87,8 +88,9 @@ async function recordState(event: Event) {
   permalink?.record(figure, "replace");
 }
 
+/** Copying needs its script at the press: browsers forbid it a moment later. */
 function fetchTools(event: Event) {
-  if (closestTo(event, ".tools .share", HTMLElement)) import("./tools.ts").catch(ignore);
+  if (closestTo(event, "simulation-figure", HTMLElement)) import("./tools.ts").catch(ignore);
 }
 
 async function highlight(event: Event) {
