@@ -57,6 +57,13 @@ def text_of(picture: str, *lists: Any) -> str:
 TRUE = text_of("corner", *true_lists("corner"))
 
 
+@pytest.mark.parametrize("name", SCENE.instrument.samples)
+def test_sample_comes_with_its_lines(name: str) -> None:
+    photograph = Photograph(1, SCENE.instrument.samples[name](), name)
+    view = outputs(photograph)["view"]
+    assert view.focal_px == pytest.approx(FOCAL_PX, rel=0.1)
+
+
 def test_room_is_seen_by_the_texts_camera_with_its_lines_inside() -> None:
     pose = pose_above_ground(EYE_M, *map(math.radians, (33, 21, 2)))
     np.testing.assert_allclose(ROOMS["corner"].turn @ AXES.T, pose[:3, :3], atol=1e-12)

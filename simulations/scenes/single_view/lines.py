@@ -1,7 +1,7 @@
 """The lines over a picture, and the book's two pictures of a room with lines drawn in them."""
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -32,6 +32,8 @@ FIRST_SEED = 14  # of which the first draw is an ordinary one
 
 SIZE = (800, 600)  # width and height of the book's pictures in pixels
 FOCAL_PX = 480.0
+SAMPLES = {f"true f {FOCAL_PX:.0f} px, room.png": "corner"}
+"""The book's pictures that serve as samples of a reader's, by the names of their files."""
 EYE_M = HIGH[1]  # height of the camera above the floor
 AXES = np.array([(1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, -1.0, 0.0)])
 """The axes across, along and upwards, in the room's: x right, y down, z away from the eye."""
@@ -179,14 +181,15 @@ def current(
     lines: str, picture: str, sigma: float, take: int, photograph: Photograph | None
 ) -> PointLists:
     """The points of the settings if they lie in this picture; else the book's, or none in the
-    reader's photograph."""
+    reader's photograph, unless it is a sample."""
     found, name = PointLists.from_text(lines), READER_PICTURE if photograph else picture
     if lines and found.picture in (name, ""):
         missing = len(LISTS) - len(found.lists)
         return PointLists(name, found.touched, (*found.lists, *((),) * missing))
-    return (
-        PointLists(name, 0, ((),) * len(LISTS)) if photograph else _of_the_book(name, sigma, take)
-    )
+    room = SAMPLES.get(photograph.name) if photograph else picture
+    if room is None:
+        return PointLists(name, 0, ((),) * len(LISTS))
+    return replace(_of_the_book(room, sigma, take), picture=name)
 
 
 @lru_cache(maxsize=4)

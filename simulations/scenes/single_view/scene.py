@@ -27,6 +27,7 @@ from simulations.scenes.single_view.lines import (
     LISTS,
     MOST,
     ROOMS,
+    SAMPLES,
     SIZE,
     Lines,
     Settings,
@@ -226,7 +227,7 @@ SCENE = Scene(
     ),
     instrument=Instrument(
         photograph=Whole(24),
-        samples={f"true f {FOCAL_PX:.0f} px, room.png": partial(photo, "corner", None)},
+        samples={name: partial(photo, room, None) for name, room in SAMPLES.items()},
         exports=(
             Export("distances", "Distances as JSON", ".json", files.as_json),
             Export("camera", "Camera for fSpy and Blender, JSON", ".json", files.as_fspy),
