@@ -60,7 +60,7 @@ TRUE = text_of("corner", *true_lists("corner"))
 @pytest.mark.parametrize("name", SCENE.instrument.samples)
 def test_sample_comes_with_its_lines(name: str) -> None:
     photograph = Photograph(1, SCENE.instrument.samples[name](), name)
-    view = outputs(photograph)["view"]
+    view = outputs(photograph)["view"].view
     assert view.focal_px == pytest.approx(FOCAL_PX, rel=0.1)
 
 
