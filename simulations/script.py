@@ -2,10 +2,8 @@
 
 import json
 from textwrap import fill
-from typing import Any
 
 from simulations.engine.controls import Action
-from simulations.engine.scene import Scene
 from simulations.registry import load_scene, scene_module
 
 WIDTH = 96
@@ -38,14 +36,11 @@ def script(scene_id: str, values: str, tier: str, paragraphs: str) -> str:
     """
     scene = load_scene(scene_id)
     settings = scene.clamp(json.loads(values))
+    # Buttons that move other controls affect no frame themselves.
+    lasting = (c.name for c in scene.controls if not (isinstance(c, Action) and c.drives))
     return SCRIPT.format(
         paragraphs="\n\n".join(fill(text, WIDTH) for text in json.loads(paragraphs)),
         module=scene_module(scene_id),
-        settings="\n".join(f"    {name}={getattr(settings, name)!r}," for name in _lasting(scene)),
+        settings="\n".join(f"    {name}={getattr(settings, name)!r}," for name in lasting),
         tier=tier,
     )
-
-
-def _lasting(scene: Scene[Any]) -> list[str]:
-    """The settings that affect a frame: all but the buttons that move others."""
-    return [c.name for c in scene.controls if not (isinstance(c, Action) and c.drives)]

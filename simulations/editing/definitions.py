@@ -74,8 +74,12 @@ def definitions(source: str) -> dict[str, Definition]:
     for statement, following in zip(statements, [*statements[1:], None], strict=True):
         name = defined_name(statement)
         if name:
-            last = following if _is_text(following) and not _has_body(statement) else statement
-            end = (last or statement).end_lineno or statement.lineno
+            match statement, following:
+                case ast.Assign() | ast.AnnAssign(), ast.Expr(value=ast.Constant(value=str())):
+                    last: ast.stmt = following  # the docstring of the constant above it
+                case _:
+                    last = statement
+            end = last.end_lineno or statement.lineno
             found[name] = Definition(name, _first_line(statement, lines), end)
     return found
 
@@ -120,16 +124,3 @@ def _lines_of(statement: ast.stmt) -> Iterator[int]:
     yield statement.lineno
     for decorator in getattr(statement, "decorator_list", ()):
         yield decorator.lineno
-
-
-def _has_body(statement: ast.stmt) -> bool:
-    return isinstance(statement, ast.FunctionDef | ast.ClassDef)
-
-
-def _is_text(statement: ast.stmt | None) -> bool:
-    """Whether the statement is a bare string: the docstring of the constant above it."""
-    return (
-        isinstance(statement, ast.Expr)
-        and isinstance(statement.value, ast.Constant)
-        and isinstance(statement.value.value, str)
-    )

@@ -44,11 +44,7 @@ def restore_modules() -> None:
             _namespaces.append((namespace, dict(namespace)))
     stored = {id(kind) for kind, _ in _classes}
     values = (value for module in modules for value in vars(module).values())
-    for kind in {value for value in values if _is_open(value)}:
-        if id(kind) not in stored:
+    for kind in {value for value in values if isinstance(value, type)}:
+        can_be_set = kind.__flags__ & (HEAP | IMMUTABLE) == HEAP
+        if can_be_set and id(kind) not in stored:
             _classes.append((kind, dict(vars(kind))))
-
-
-def _is_open(value: object) -> bool:
-    """Whether a value is a class whose attributes can be set."""
-    return isinstance(value, type) and value.__flags__ & (HEAP | IMMUTABLE) == HEAP

@@ -175,7 +175,9 @@ def directive_page(directives: Sequence[Directive[Any]] = DIRECTIVES) -> str:
     written = read_examples(EXAMPLES)
     for name in ("quiz", "predict"):
         own = [written[name]] if name in written else []
-        written[name] = "\n\n".join([*own, *question_examples(name)])
+        kinds = (kind for kind in KINDS if name == ("quiz" if kind.quiz else "predict"))
+        texts = (kind.file("md").read_text(encoding="utf-8").strip() for kind in kinds)
+        written[name] = "\n\n".join([*own, *texts])
     names = [item.name for item in directives]
     parts = [_directive_section(item, written, names) for item in directives]
     return _chapter(
@@ -234,15 +236,6 @@ def read_examples(folder: Path) -> dict[str, str]:
     """The examples by the names of their files."""
     files = sorted(folder.glob("*.md"))
     return {file.stem: file.read_text(encoding="utf-8").strip() for file in files}
-
-
-def question_examples(directive: str) -> list[str]:
-    """Names of the kinds of questions that this directive asks, or asks first."""
-    return [
-        kind.file("md").read_text(encoding="utf-8").strip()
-        for kind in KINDS
-        if directive == ("quiz" if kind.quiz else "predict")
-    ]
 
 
 def _kinds_of_questions(directive: str) -> str:

@@ -119,7 +119,9 @@ class _Walk:
             elif token.type in ("link_close", "role_close") and token.tag == "a":
                 linked -= 1
             if token.type == "text" and not linked:
-                control = previous == "strong_open" and _names_a_control(token.content)
+                # **Focal length** may be a slider; **Pose.** opens a paragraph; **pose** is a term.
+                name = token.content[:1].isupper() and token.content[-1:] not in ".:"
+                control = previous == "strong_open" and name
                 yield from self._text(token, line, marks=marks, control=control)
             else:
                 yield token
@@ -156,8 +158,3 @@ class _Walk:
     def _note(self, term: Term, line: int, element: str = "", *, by_author: bool = False) -> None:
         call = TermUse(term.name, self.section, element, line, by_author)
         self.context.term_uses.append(call)
-
-
-def _names_a_control(words: str) -> bool:
-    """**Focal length** may be a slider; **Pose.** opens a paragraph; **pose** is a term."""
-    return words[:1].isupper() and words[-1:] not in ".:"

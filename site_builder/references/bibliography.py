@@ -163,7 +163,8 @@ def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Works:
         entries = parse_string(text, "bibtex").entries
     except (PybtexError, RecursionError) as error:
         line = getattr(error, "lineno", None) or _line_of(str(error), text)
-        message = f"malformed BibTeX: {error}{_advice(str(error))}"
+        advice = "; legal: names with 'and' between them" if "commas" in str(error) else ""
+        message = f"malformed BibTeX: {error}{advice}"
         problems.add(FILE, line, message, spoils=("unknown work",))
         return NO_WORKS
     lines = _lines(text)
@@ -187,10 +188,6 @@ def _line_of(message: str, text: str) -> int:
         return text.count("\n", 0, place) + 1
     named = [line for key, line in _lines(text).items() if key in message]
     return max(named, default=1)
-
-
-def _advice(message: str) -> str:
-    return "; legal: names with 'and' between them" if "commas" in message else ""
 
 
 def _work(key: str, entry: Any, line: int, words: Words, problems: Diagnostics) -> Work:

@@ -57,10 +57,8 @@ class Term:
         if self.words:
             yield from map(_spelt, self.words)
         else:
-            yield from (_spelt(name) + self._plural(name) for name in self.names)
-
-    def _plural(self, name: str) -> str:
-        return f"(?:{'|'.join(self.endings)})?" if name[-1:].isalpha() else ""
+            plural = f"(?:{'|'.join(self.endings)})?"
+            yield from (_spelt(name) + plural * name[-1:].isalpha() for name in self.names)
 
 
 @dataclass(frozen=True)

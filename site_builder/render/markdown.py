@@ -105,13 +105,11 @@ class MarkdownRenderer:
         """Tight where its author left no empty lines."""
         paragraphs = [part for part in node.walk() if part.type == "paragraph"]
         between = "\n" if all(part.hidden for part in paragraphs) else "\n\n"
+        items = [between.join(filter(None, map(self._block, i.children))) for i in node.children]
         return between.join(
-            f"{mark} {indent(self._item(item, between), ' ' * (len(mark) + 1)).lstrip()}"
-            for mark, item in zip(marks, node.children, strict=True)
+            f"{mark} {indent(item, ' ' * (len(mark) + 1)).lstrip()}"
+            for mark, item in zip(marks, items, strict=True)
         )
-
-    def _item(self, item: SyntaxTreeNode, between: str) -> str:
-        return between.join(filter(None, map(self._block, item.children)))
 
     def _table(self, node: SyntaxTreeNode) -> str:
         head, *body = [row.children for part in node.children for row in part.children]

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Browser, expect
 from support.reader import Reader, visit
 from support.static_server import StaticServer
 
@@ -21,16 +21,13 @@ def newcomer(baseline_chromium: Browser, server: StaticServer) -> Iterator[Reade
         reader.assert_no_errors()
 
 
-def fold_of(reader: Reader, inside: str) -> Locator:
-    return reader.page.locator("details.deeper", has=reader.page.locator(f"#{inside}"))
-
-
 def test_figure_of_a_deeper_section_starts_once_it_is_opened(newcomer: Reader) -> None:
     """A reload keeps the section open."""
     newcomer.open(CHAPTER, live=False)
     unfolded = newcomer.page.locator("#figure-few-drops simulation-figure")
     expect(unfolded).to_have_attribute("data-state", "live")
-    figure, fold = newcomer.figure("photon-transfer"), fold_of(newcomer, SECTION)
+    section, figure = newcomer.page.locator(f"#{SECTION}"), newcomer.figure("photon-transfer")
+    fold = newcomer.page.locator("details.deeper", has=section)
     expect(figure).to_be_hidden()
     expect(figure).to_have_attribute("data-state", "still")
     fold.locator("> summary").click()

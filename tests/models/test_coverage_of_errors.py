@@ -15,7 +15,7 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 from scipy.ndimage import gaussian_filter
-from support.charts import gaussian_edge, gaussian_half
+from support.charts import gaussian_edge, gaussian_half, scored
 from support.chequerboards import BENT_SIZE, BOARD_WORLDS, bent_views
 from support.drawn_lines import (
     CENTRE,
@@ -105,11 +105,7 @@ def sensor(rng: np.random.Generator, world: dict[str, float], side: int) -> Scor
         "PRNU": (found.prnu, 0.008),
         "full well": (full_well, full - 2 * math.sqrt(full)),  # where noise is largest
     }
-    return {
-        name: (estimate.value - truth) / estimate.error
-        for name, (estimate, truth) in estimates.items()
-        if not estimate.reason
-    }
+    return scored(estimates)
 
 
 EDGES: dict[str, dict[str, float]] = {

@@ -12,7 +12,7 @@ from simulations.models.distortion.lens_model import Distortion, distort, larges
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.scenes import _still_life_camera as camera_rays
-from simulations.scenes._still_life_camera import COLUMNS, PITCH_MM, ROWS, Rays, principal_mm
+from simulations.scenes._still_life_camera import COLUMNS, PITCH_MM, ROWS, principal_mm
 from simulations.scenes.camera import lens as camera_lens
 from simulations.scenes.camera.lens import SUBJECT_M, LensMap, after_step, view_of
 from simulations.scenes.camera.scene import SCENE
@@ -35,10 +35,6 @@ texts = partial(texts_at, SCENE)
 
 def sensor_mm(focal_length: float, focus: float = FOCUS_M) -> float:
     return 1.0 / (1.0 / focal_length - 1e-3 / focus)
-
-
-def rays_of(focal_length: float, k1: float) -> Rays:
-    return camera_lens.bend_rays(camera_rays.sensor_rays(focal_length, FOCUS_M), k1)
 
 
 def lens_map_of(focal: float, k1: float, focus: float = FOCUS_M) -> tuple[LensMap, tuple[int, ...]]:
@@ -105,7 +101,8 @@ def test_picture_is_black_and_rays_are_invalid_beyond_the_fold(
     focal_length: float, k1: float
 ) -> None:
     lens, _ = lens_map_of(focal_length, k1)
-    np.testing.assert_array_equal(lens.reached > 0.5, rays_of(focal_length, k1).valid)
+    rays = camera_lens.bend_rays(camera_rays.sensor_rays(focal_length, FOCUS_M), k1)
+    np.testing.assert_array_equal(lens.reached > 0.5, rays.valid)
     black = outputs(focal_length=focal_length, k1=k1)["lens distortion"][:, lens.reached == 0]
     assert black.size
     assert not black.any()

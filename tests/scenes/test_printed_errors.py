@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
 from scipy.special import ndtr
-from support.charts import DSNU_E, PRNU, SENSOR, gaussian_edge, gaussian_half, pairs_of
+from support.charts import DSNU_E, PRNU, SENSOR, gaussian_edge, gaussian_half, pairs_of, scored
 from support.drawn_lines import (
     CENTRE,
     FOCAL,
@@ -191,14 +191,6 @@ def toned_frames(rng: np.random.Generator, off: float = 0.05) -> Scores:
     found = tone_by_exposures(toned, light * 2 ** (off * rng.standard_normal(8)))
     assert found
     return {"strength": (found[0] - strength) / found[1]}
-
-
-def scored(estimates: Mapping[str, tuple[Estimate, float]]) -> dict[str, float]:
-    return {
-        name: (estimate.value - truth) / estimate.error
-        for name, (estimate, truth) in estimates.items()
-        if not estimate.reason
-    }
 
 
 def edge(rng: np.random.Generator, shared: bool = False) -> Scores:

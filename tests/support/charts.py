@@ -1,6 +1,8 @@
 """Pictures of edges with a known MTF, made without the book's renderer, and pairs of evenly lit
 frames of a known sensor."""
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import erf
@@ -8,7 +10,7 @@ from scipy.special import erf
 from simulations.models.arrays import Floats, centred
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import Sensor
-from simulations.models.sensor.photon_transfer_fit import SensorEstimate, characterise
+from simulations.models.sensor.photon_transfer_fit import Estimate, SensorEstimate, characterise
 from simulations.models.sensor.photon_transfer_frames import counted_pair, read_pair, unequal_cells
 from simulations.models.sensor.photon_transfer_pair import measure_pair
 
@@ -35,6 +37,15 @@ def estimate_of(pairs: Pairs, most: float = 0.7) -> SensorEstimate:
     """The estimate of the sensor; the first pair gives the black level."""
     levels = [measure_pair(pair, SENSOR.highest_dn) for pair in pairs]
     return characterise(levels, levels[0].mean_dn, SENSOR.highest_dn, most)
+
+
+def scored(estimates: Mapping[str, tuple[Estimate, float]]) -> dict[str, float]:
+    """Deviations of the known estimates from their truth, in standard errors."""
+    return {
+        name: (estimate.value - truth) / estimate.error
+        for name, (estimate, truth) in estimates.items()
+        if not estimate.reason
+    }
 
 
 def light_of(level_dn: float, seed: int, size: int = 200) -> Floats:
