@@ -31,6 +31,8 @@ from site_builder.render.screen import RULES, PassageRenderer, mathml_of, render
 
 KEPT = frozenset({"href", "start", "colspan", "rowspan"})
 LENGTHS = ("lspace", "rspace", "width", "height", "depth")
+STYLES = frozenset({"displaystyle", "mathbackground", "mathcolor", "scriptlevel"})
+"""Attributes of a row that MathML 2 has on ``mstyle`` alone."""
 
 type Text = Callable[[Passage], Markup]
 """The XHTML of a passage."""
@@ -68,7 +70,9 @@ def _plain(root: Element, page: str) -> Element:
 
 def _plain_formula(element: Element) -> None:
     """MathML 2, which QTI 2.1 has: without classes, and a length has a unit."""
-    for name in ("class", "style"):
+    if element.tag == "mrow" and not STYLES.isdisjoint(element.keys()):
+        element.tag = "mstyle"
+    for name in ("class", "style", "voffset"):
         element.attrib.pop(name, None)
     for name in LENGTHS:
         if element.get(name) == "0":

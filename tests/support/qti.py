@@ -1,14 +1,30 @@
-"""The response processing of a QTI 2.1 item: the score of an answer and the replies shown.
+"""What is legal in QTI 2.1, and the response processing of an item: the score of an answer and the
+replies shown.
 
-It covers the rules that exported questions use (information model of QTI 2.1, section 8).
+It covers what exported questions use (information model of QTI 2.1, section 8).
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
+from lxml import etree
+from support.little_book import FIXTURES
+
 QTI = "{http://www.imsglobal.org/xsd/imsqti_v2p1}"
 type Value = float | str | list[str] | bool | None
+
+
+def illegal_parts(package: Mapping[str, str]) -> dict[str, str]:
+    """What the schemas do not allow, by the file of the package."""
+    schema = etree.DTD(FIXTURES / "qti-2.1.dtd")
+    items = {name: text.encode() for name, text in package.items() if name != "imsmanifest.xml"}
+    return {
+        name: str(schema.error_log.last_error)
+        for name, text in items.items()
+        if not schema.validate(etree.fromstring(text))
+    }
 
 
 @dataclass(slots=True)
