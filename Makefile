@@ -70,6 +70,7 @@ questions: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder questions $(ADDRESS:%=--address "%")
 
 wheel: | $(BIN)/python
+	@rm -rf build/wheel
 	@$(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --wheel-dir build/wheel .
 
 # One thread in each process, since the processes share the cores already.

@@ -10,8 +10,6 @@ from site_builder.files.engine import hidden_parts
 # Each core has a process of the build's own: threads of OpenBLAS beside them would wait for them.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
-__version__ = "1.0.0"
-
 if sys.flags.safe_path:  # by which Python leaves out the current folder, a book's
     sys.path.insert(0, os.fspath(Path.cwd()))
 if hidden := hidden_parts(Path.cwd()):  # before anything of it is imported

@@ -9,13 +9,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from simulations.registry import LADDER_MODULES
-from site_builder import __version__
 from site_builder.assets.browser_parts import pack_for_browser
 from site_builder.build import Options, Warn, build_site, check_site
 from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import Cache, using
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json, counted
 from site_builder.document.book import Book
+from site_builder.files.engine import engine_version
 from site_builder.files.folders import replace_file
 from site_builder.output.writer import advice, write_site
 from site_builder.photographs import prepare_photographs
@@ -178,7 +178,7 @@ def written(out: Path, edition: bytes) -> None:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="site_builder", description="Build the book.")
-    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
+    parser.add_argument("--version", action="version", version=f"%(prog)s {engine_version()}")
     commands = parser.add_subparsers(dest="command", required=True)
 
     def add(name: str, purpose: str, *options: argparse.ArgumentParser) -> argparse.ArgumentParser:

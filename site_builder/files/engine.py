@@ -6,9 +6,11 @@ book's: ``content/``, and its own parts of ``simulations``, such as scenes and l
 started, a book's, and the engine's share them.
 """
 
+from importlib.metadata import version
 from pathlib import Path
 
 from site_builder.files.folders import folder_files
+from site_builder.version import __version__
 
 DISTRIBUTION = "textbook-builder"
 """The name of the wheel."""
@@ -24,6 +26,11 @@ ENGINE_PARTS = (
 """Packages and modules right below ``simulations``."""
 SHARED = ("simulations", "simulations/models")
 """The namespace packages."""
+
+
+def engine_version() -> str:
+    """That of the wheel, which names a commit, or of this repository."""
+    return version(DISTRIBUTION) if PACKED.is_dir() else __version__
 
 
 def is_engine(module: str) -> bool:

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
-from site_builder import __version__
 from site_builder.document.book import UNSET
-from site_builder.files.engine import DISTRIBUTION, PACKED
+from site_builder.files.engine import DISTRIBUTION, PACKED, engine_version
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.photographs import credits_of
 from site_builder.programs.node import Package
@@ -64,7 +63,7 @@ def gather_licences(
         text = _packaged_text(DISTRIBUTION, "licenses/LICENSE")
         text = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book
         use = words("licences.engine")
-        licences.append(Licence(DISTRIBUTION, "MIT", use, __version__, text=text))
+        licences.append(Licence(DISTRIBUTION, "MIT", use, engine_version(), text=text))
     if versions.pyodide:
         licences += _of_the_runtime(versions, words)
     for each in book_packages:

@@ -16,12 +16,12 @@ from types import MappingProxyType
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from site_builder import __version__
 from site_builder.benchmarks.measurements import COMMAND
 from site_builder.diagnostics.diagnostic import unknown
 from site_builder.document.book import OUTLINE
 from site_builder.files.engine import DISTRIBUTION, ENGINE, PACKED, SHARED, book_or_engine_file
 from site_builder.files.folders import replace_files
+from site_builder.version import __version__
 
 FORM = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 

@@ -2,6 +2,7 @@
 
 import re
 import resource
+import runpy
 import shutil
 import sys
 from collections.abc import Callable, Mapping
@@ -30,6 +31,7 @@ from site_builder.scaffold.pieces import (
     make_new,
     read_name,
 )
+from site_builder.version import __version__
 
 PIECES_MADE = (
     ("chapter", "second-fall"), ("scene", "two-balls"), ("model", "air-drag"),
@@ -274,6 +276,30 @@ def test_piece_with_an_invalid_or_existing_name_is_refused(
         make_new(tmp_path, kind, name)
 
 
+def test_version_of_a_wheel_names_the_commit_of_its_own_repository(tmp_path: Path) -> None:
+    file = tmp_path / "engine" / "site_builder" / "version.py"
+    file.parent.mkdir(parents=True)
+    file.write_text((ROOT / "site_builder" / "version.py").read_text("utf-8"), encoding="utf-8")
+
+    def git(folder: Path, *words: str) -> str:
+        who = ("-c", "user.name=a", "-c", "user.email=a@b")
+        return run(folder, "git", *who, *words).stdout.strip()
+
+    def version() -> str:
+        return str(runpy.run_path(str(file))["with_commit"]())
+
+    git(tmp_path, "init")
+    git(tmp_path, "commit", "--allow-empty", "-m", "Another repository around it")
+    assert version() == __version__
+    git(tmp_path / "engine", "init")
+    git(tmp_path / "engine", "add", ".")
+    git(tmp_path / "engine", "commit", "-m", "Begin")
+    commit = git(tmp_path / "engine", "rev-parse", "--short=8", "HEAD")
+    assert version() == f"{__version__}+g{commit}"
+    file.write_text(f"{file.read_text('utf-8')}\n", encoding="utf-8")
+    assert version() == f"{__version__}+g{commit}.dirty"
+
+
 @pytest.mark.deep
 def test_upgrade_of_the_engine_takes_effect_in_a_book(engine: Engine, tmp_path: Path) -> None:
     folder, own = tmp_path / "engine", new_engine(tmp_path / "environment")
@@ -281,7 +307,7 @@ def test_upgrade_of_the_engine_takes_effect_in_a_book(engine: Engine, tmp_path: 
     for part in PARTS:
         copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy2
         copy(ROOT / part, folder / part)
-    version = folder / "site_builder" / "__init__.py"
+    version = folder / "site_builder" / "version.py"
     changed = re.sub(r'__version__ = ".*"', '__version__ = "99.0"', version.read_text("utf-8"))
     version.write_text(changed, encoding="utf-8")
     assert own.install(engine.wheel).returncode == 0
