@@ -187,6 +187,23 @@ def check_claims(exercise: Exercise) -> None:
             raise AssertionError(claim) from None
 
 
+def model_miss(exercise: Exercise) -> Miss | None:
+    """The first case in which the solution differs from the model, if any; none where a claim calls
+    a function of the model's module. Raises what the model raises, as for other arguments."""
+    module, _, name = exercise.model.partition(":")
+    check = Check.of(exercise)
+    names = check.names(function_of(exercise, exercise.solution))
+    books = {key for key, value in names.items() if getattr(value, "__module__", "") == module}
+    if not module or any(books & {*re.findall(r"\w+", claim)} for claim in check.claims):
+        return None
+    model = f"""
+def {exercise.name}(*given, **named):
+    import {module} as module
+    return module.{name}(*given, **named)
+"""
+    return first_miss(replace(exercise, solution=model), exercise.solution)[1]
+
+
 def _changed(names: Mapping[str, Any], check: Check) -> str:
     fresh = check.names(names[check.name]).items()
     arrays = [(name, value) for name, value in fresh if isinstance(value, np.ndarray)]

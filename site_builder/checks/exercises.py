@@ -1,13 +1,14 @@
-"""What an exercise says of itself is true: its solution is right, what it starts with is not,
-and each wrong answer is wrong and recognised."""
+"""What an exercise says of itself is true: its solution is right and equals its model, what it
+starts with is not, and each wrong answer is wrong and recognised."""
 
+from dataclasses import asdict
 from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any
 
 import simulations
-from simulations.editing.exercise import Exercise, check_claims, findings
+from simulations.editing.exercise import Exercise, check_claims, findings, model_miss
 from simulations.registry import load_ladder
 from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
@@ -16,6 +17,8 @@ from site_builder.document.book import Chapter
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.questions.code.kind import CodeTask
 from site_builder.pool.processes import run_in_pool
+
+COMPARED = "equal answers, or an 'assert' behind the cases that compares the two"
 
 
 def check_exercises(chapter: Chapter, problems: Diagnostics) -> None:
@@ -52,6 +55,13 @@ def _find_faults(
     except Exception as error:  # whatever the author's code raises
         return [(0, f"the solution fails: {type(error).__name__}: {error}")]
     found: list[tuple[int | None, str]] = []
+    try:
+        if missed := run_in_pool(partial(model_miss, exercise)):
+            message = f"the solution is not its model: {_difference(asdict(missed))}"
+            found.append((0, f"{message}; legal: {COMPARED}"))
+    except Exception as error:
+        message = f"the model fails at a case: {type(error).__name__}: {error}"
+        found.append((0, f"{message}; legal: {COMPARED}"))
     if not _is_wrong(exercise, starter):
         found.append((None, "what it starts with is right; legal: a start that is not"))
     for index, code in enumerate(exercise.wrong):

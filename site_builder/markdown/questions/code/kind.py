@@ -150,7 +150,8 @@ CODE = QuestionKind(
     options=(
         OptionLine(
             name="model",
-            doc="the book's function for the same, `simulations.models.room.module:function`",
+            doc="the book's function for the same, `simulations.models.room.module:function`; the "
+            "solution has to equal it in every case, or in an `assert` behind the cases",
             form=DEFINITION,
         ),
         OptionLine(
