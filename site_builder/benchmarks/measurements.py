@@ -4,6 +4,7 @@
 
     {"machine": {"processor", "cores", "system", "python", "numpy", "browser", "pyodide"},
      "ladders": {LADDER: {
+        "sources": str,    their hash when it was measured
         "workload": str,   as the ladder states it
         "metrics": {METRIC: unit},
         "tiers": {TIER: {
@@ -13,12 +14,13 @@
         "draws": {METRIC: {TIER: [number or null, …]}}}}}    on other workloads of the same kind
 
 Every number about speed or accuracy in the book is read through this module. What
-no longer fits the ladders' code is refused when a page asks for it.
+no longer fits the ladders' code is refused when a page asks for it; a warning names ladders whose
+sources have changed.
 """
 
 import json
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -26,7 +28,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
-from simulations.registry import load_ladder
+from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.cache.hashing import book_hash
 from site_builder.diagnostics.blame import CodeError
 from site_builder.diagnostics.diagnostic import cause
 from site_builder.files.text import Sources
@@ -186,6 +189,14 @@ class Measurements:
             ) from error
         return MeasuredLadder(ladder, tiers, metric, self.machine)
 
+    def changed(self) -> Iterator[str]:
+        """Ladders whose sources, or those of a model that they import, are others now."""
+        for ladder_id, entry in self.ladders.items():
+            recorded = entry.get("sources") if isinstance(entry, Mapping) else None
+            module = LADDER_MODULES.get(ladder_id)
+            if module and recorded and recorded != book_hash(module):
+                yield ladder_id
+
     def all(self) -> tuple[MeasuredLadder, ...]:
         """Every ladder of the file, in its order."""
         return tuple(self.find(ladder_id) for ladder_id in self.ladders)
@@ -199,11 +210,15 @@ def read_measurements(
         return Measurements(load_ladder=load)
     try:
         data = json.loads(sources.text(DATA))
-        return Measurements(data["machine"], data["ladders"], load)
+        found = Measurements(data["machine"], data["ladders"], load)
+        if changed := [repr(name) for name in found.changed()]:
+            message = f"measured with other sources: {', '.join(changed)}; better: run `{COMMAND}`"
+            sources.problems.warn(DATA, 1, message)
+        return found
     except (ValueError, RecursionError) as error:
         line, said = getattr(error, "lineno", 1), getattr(error, "msg", error)
         sources.problems.add(DATA, line, f"malformed JSON: {said}; run `{COMMAND}`")
-    except (KeyError, TypeError):
+    except (AttributeError, KeyError, TypeError):
         sources.problems.add(DATA, 1, f"no 'machine' or no 'ladders'; run `{COMMAND}`")
     return Measurements(load_ladder=load)
 

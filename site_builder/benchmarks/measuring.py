@@ -34,6 +34,7 @@ from simulations.engine.ladder import Ladder, TierResult, errors_of_draws, measu
 from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import COMMAND, DATA, read_measurements
+from site_builder.cache.hashing import book_hash
 from site_builder.files.folders import replace_file
 from site_builder.files.text import Sources
 from site_builder.programs.chromium import launch_arguments, require_chromium
@@ -230,6 +231,7 @@ def measure_errors(root: Path, chosen: Sequence[str]) -> int:
             errors = meter(ladder.id, tier_id, 0.0).errors
             tier["errors"] = {name: finite(value) for name, value in errors.items()}
         entry["draws"] = draws_record(_draws(ladder))
+        entry["sources"] = book_hash(LADDER_MODULES[ladder.id])
         print(ladder.id, flush=True)
     write(data, root / DATA)
     return _report(misplaced_defaults(root, chosen))
@@ -254,7 +256,10 @@ def bench(root: Path, chosen: Sequence[str], write_scripts: WriteScripts) -> int
         for ladder in map(load_ladder, chosen):
             started = time.perf_counter()
             results = measure_ladder(ladder, (native_meter(ladder), side.measure))
-            ladders[ladder.id] = ladder_record(ladder, results, _draws(ladder))
+            ladders[ladder.id] = {
+                "sources": book_hash(LADDER_MODULES[ladder.id]),
+                **ladder_record(ladder, results, _draws(ladder)),
+            }
             differing += disagreements(ladder, results)
             print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
     write(merge(root / DATA, machine, ladders, LADDER_MODULES), root / DATA)

@@ -133,6 +133,17 @@ _copies: dict[int, tuple[str, object]] = {}
 def source_hash(module: str) -> bytes:
     """The hash of the sources of ``module`` and all our modules that it imports, also indirectly,
     and of the versions of Python and the installed packages."""
+    return hash_of(_imported(module), _versions())
+
+
+def book_hash(module: str) -> str:
+    """The same, in hexadecimal digits, without the engine and the versions."""
+    engine = ("simulations.engine", "site_builder")
+    return hash_of([each for each in _imported(module) if not each[0].startswith(engine)]).hex()
+
+
+def _imported(module: str) -> list[tuple[str, bytes]]:
+    """Names and hashes of ``module`` and all our modules that it imports."""
     found: dict[str, bytes] = {}
     waiting = [module]
     while waiting:
@@ -140,7 +151,7 @@ def source_hash(module: str) -> bytes:
         if name not in found and (source := _source(name)):
             found[name], imported = source
             waiting += imported
-    return hash_of(sorted(found.items()), _versions())
+    return sorted(found.items())
 
 
 @functools.cache

@@ -19,6 +19,7 @@ from simulations.engine.ladder import TierResult
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
+from simulations.registry import LADDER_MODULES
 from site_builder.benchmarks.charts import linear_axis, log_axis, pareto_chart
 from site_builder.benchmarks.judgements import (
     Neighbour,
@@ -30,11 +31,12 @@ from site_builder.benchmarks.judgements import (
     quantity,
     verdict,
 )
-from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
+from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError, Measurements
 from site_builder.benchmarks.measuring import close, finite, merge, timing
 from site_builder.benchmarks.quoted_numbers import DATA as COSTS
 from site_builder.benchmarks.quoted_numbers import STAGE_DATA as DATA
 from site_builder.benchmarks.quoted_numbers import read_cost, read_stage_costs
+from site_builder.cache.hashing import book_hash
 
 ABACUS, SLIDE_RULE = {"processor": "abacus"}, {"processor": "slide rule"}
 TIERS = toy_data()["ladders"]["toy"]["tiers"]
@@ -106,6 +108,13 @@ def test_new_results_are_merged_with_the_old_ones_of_the_same_machine(
         merged = merge(file, machine, new, known)
         assert merged == {"machine": machine, "ladders": ladders}
         assert [*merged["ladders"]] == [*ladders]
+
+
+def test_ladders_measured_with_other_sources_are_named() -> None:
+    now = {name: {"sources": book_hash(module)} for name, module in LADDER_MODULES.items()}
+    first, second, *_ = now
+    entries: Any = {**now, first: {"sources": now[second]["sources"]}, second: {}, "gone": now}
+    assert [*Measurements(ladders=entries).changed()] == [first]
 
 
 def test_beaten_tier_names_the_tier_that_beats_it() -> None:
