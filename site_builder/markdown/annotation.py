@@ -24,6 +24,7 @@ DEFINITION = re.compile(
     r"\\(?:(?:re|provide)?newcommand|[gex]?def|DeclareMathOperator)\*?\s*\{?\\([A-Za-z]+)"
 )
 ROLE_NAMES = tuple(role.name for role in ROLES)
+UNIT = re.compile(r"(?:\u00a0|(?=°$))(\S+)$")
 BARE_ROLE = re.compile(r"\{([\w-]+)\}(?!`)")
 
 
@@ -159,14 +160,14 @@ def _open_role(token: Token, line: int, context: ParseContext) -> None:
 def _check_units(inline: Token, line: int, context: ParseContext) -> None:
     """Report units behind numbers that have them."""
     for number, text in pairwise(inline.children or ()):
-        _, space, unit = number.content.rpartition("\u00a0") if number.type == "role" else ("",) * 3
+        has = UNIT.search(number.content) if number.type == "role" else None
         if (
-            space
+            has
             and text.type == "text"
-            and re.match(rf"\s*{re.escape(unit)}(?![\w/])", text.content)
+            and re.match(rf"\s*{re.escape(has[1])}(?![\w/])", text.content)
         ):
             name = number.meta["role"].name
-            message = f"{unit!r} behind a {{{name}}} that has it; legal: the role alone"
+            message = f"{has[1]!r} behind a {{{name}}} that has it; legal: the role alone"
             context.problem(line, message)
 
 
