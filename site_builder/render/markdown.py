@@ -12,6 +12,7 @@ from markdown_it.tree import SyntaxTreeNode
 
 from site_builder.document.places import Passage, Target
 from site_builder.formulae.temml import plain_tex
+from site_builder.markdown.text.code import PARTS
 
 SPECIAL = re.compile(r"([\\`*_\[\]<$~])")
 AT_START = re.compile(r"^(?=(?:[-+>]|#+|=+)(?:\s|$))|^(?<=)(\d+)(?=[.)]\s)", re.MULTILINE)
@@ -52,7 +53,8 @@ class MarkdownRenderer:
             case "blockquote":
                 return quoted(self._blocks(node.children))
             case "fence" | "code_block":
-                return fenced(node.content, node.info.strip())
+                info = node.info.strip()
+                return fenced(node.content, "python" if info in PARTS else info)
             case "math_block" | "math_block_label":
                 return self._equation(node)
             case "table":

@@ -1,9 +1,11 @@
 """Editions as readers get them: notebooks, run in their folder, show the pictures of the site; an
 e-book passes EPUBCheck."""
 
+import io
 import re
 import shutil
 import sys
+import zipfile
 from base64 import b64decode
 from pathlib import Path
 from xml.etree import ElementTree
@@ -12,11 +14,16 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 from nbformat import NotebookNode, v4
-from support.engine import Engine, run
+from support.engine import Engine, built_once, run
 from support.places import GERMAN_BOOK, ROOT
+from support.qti import illegal_parts
 
 from simulations.engine.frame import Raster
+from site_builder.build import Options, load
+from site_builder.cache.results import Cache, using
+from site_builder.editions.questions import make_qti
 from site_builder.figures.frames import pixels
+from site_builder.pool.processes import using_pool
 
 STATES = "application/vnd.jupyter.widget-state+json"
 OVERLAY = re.compile(r'<(?:svg|g) class="overlay[^"]*"[^>]*>(.*?)(?:</g>)?</svg>', re.DOTALL)
@@ -25,18 +32,32 @@ shown = figure("saite")
 shown.widgets["number"].value = 4
 print(shown.frame.description)
 """
+FENCE = re.compile(r"^```\w+\n((?:.*\n)*?def (\w+)\((?:.*\n)*?)```$", re.MULTILINE)
+DEFINED = re.compile(r"^def (\w+)\(", re.MULTILINE)
+QUICK = ("02", "06")
+"""Chapters whose notebooks every run of the suite executes."""
 PACKED = b"PK"
 """The first bytes of a Java archive, which Debian's command is."""
 MISSING = "epubcheck is not installed; `apt-get install epubcheck` installs it, with Java"
 
 
 def executed(file: Path, *more: str) -> NotebookNode:
-    """The notebook with ``more`` cells at its end, run by a kernel in its folder."""
+    """The notebook with its solutions below what each exercise starts with and ``more`` cells at
+    its end, run by a kernel in its folder."""
     notebook: NotebookNode = nbformat.read(file, as_version=4)
     nbformat.validate(notebook)
+    solutions = {
+        name: code
+        for cell in notebook.cells
+        for code, name in FENCE.findall(cell.source if cell.cell_type == "markdown" else "")
+    }
+    for cell in notebook.cells:
+        if cell.cell_type == "code" and (begun := DEFINED.search(cell.source)):
+            cell.source += solutions.get(begun[1], "")
     notebook.cells += [v4.new_code_cell(source) for source in more]
     resources = {"metadata": {"path": str(file.parent)}}
-    NotebookClient(notebook, timeout=300, resources=resources).execute()
+    run = NotebookClient(notebook, timeout=300, resources=resources, force_raise_errors=True)
+    run.execute()
     return notebook
 
 
@@ -75,17 +96,41 @@ def test_notebooks_of_another_book_run_from_their_folder_alone(
     assert notebook.cells[-1].outputs[0].text == "Eine Saite in 4 gleichen Teilen.\n"
 
 
-@pytest.mark.deep
-def test_every_notebook_of_this_book_runs_and_shows_the_sites_pictures(
-    built_site: Path, tmp_path: Path
+@pytest.fixture(scope="session")
+def notebooks(built_site: Path, tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
+    """This book's."""
+    assert built_site.is_dir(), "what it has computed is cached"
+    command = (sys.executable, "-m", "site_builder", "notebooks", "--out")
+    return built_once(
+        tmp_path_factory, worker_id, "notebooks", lambda out: run(ROOT, *command, str(out))
+    )
+
+
+@pytest.mark.parametrize(
+    "chapter",
+    [
+        pytest.param(file.stem[3:], marks=() if file.stem[:2] in QUICK else pytest.mark.deep)
+        for file in sorted((ROOT / "content").glob("[0-9]*.md"))
+    ],
+)
+def test_notebooks_of_this_book_run_and_show_the_sites_pictures(
+    notebooks: Path, built_site: Path, chapter: str
 ) -> None:
-    out = tmp_path / "out"
-    done = run(ROOT, sys.executable, "-m", "site_builder", "notebooks", "--out", str(out))
-    assert done.returncode == 0, done.stderr
-    for file in sorted(out.glob("*.ipynb")):
-        shown = {identity(each) for svg in drawings(executed(file)) for each in rasters(svg)}
-        stills = built_site.glob(f"assets/*/stills/{file.stem}--*.webp")
-        assert shown == {identity(pixels(still.read_bytes())) for still in stills}, file.stem
+    shown = {
+        identity(each)
+        for svg in drawings(executed(notebooks / f"{chapter}.ipynb"))
+        for each in rasters(svg)
+    }
+    stills = built_site.glob(f"assets/*/stills/{chapter}--*.webp")
+    assert shown == {identity(pixels(still.read_bytes())) for still in stills}
+
+
+def test_questions_of_this_book_are_legal_in_qti(built_site: Path) -> None:
+    assert built_site.is_dir(), "what it has computed is cached"
+    with using(Cache()), using_pool():
+        loaded = load(Options(root=ROOT, address="https://host/book/"))
+    archive = zipfile.ZipFile(io.BytesIO(make_qti(loaded.book)))
+    assert not illegal_parts({name: archive.read(name).decode() for name in archive.namelist()})
 
 
 @pytest.mark.deep

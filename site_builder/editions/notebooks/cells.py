@@ -44,6 +44,8 @@ class Code:
     """PNG; nothing where it shows none."""
     words: str = ""
     """The same for readers who cannot see it."""
+    may_fail: bool = False
+    """Whether the cells below run also where this one raises."""
 
 
 type Part = Text | Code
@@ -76,7 +78,8 @@ def cell_of(part: Part, id: str) -> Any:
         return v4.new_markdown_cell(part.markdown, id=id, **more)
     data = {"image/png": b64encode(part.picture).decode(), "text/plain": part.words}
     outputs = [v4.new_output("display_data", data)] if part.picture else []
-    return v4.new_code_cell(part.source, id=id, outputs=outputs)
+    metadata = {"tags": ["raises-exception"]} if part.may_fail else {}
+    return v4.new_code_cell(part.source, id=id, outputs=outputs, metadata=metadata)
 
 
 PX_PER_UNIT = 1.25

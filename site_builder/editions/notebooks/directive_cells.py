@@ -114,9 +114,9 @@ DRAWING = re.compile(
 def quiz(question: Quiz, block: Block, page: ChapterPage) -> Iterator[Part]:
     asked = (f"{named(block.target)}{page.markdown(question.prompt)}", _option_list(question, page))
     answers = folded(page.words("question.answer"), "\n".join(_answers(question, page)))
-    if starter := kind_of(question).starter(question):
+    if cells := kind_of(question).cells(question):
         yield Text("\n\n".join(filter(None, asked)))
-        yield Code(starter)
+        yield from (Code(cell, may_fail=cell != cells[0]) for cell in cells)
         yield Text(answers)
     else:
         yield Text("\n\n".join((*filter(None, asked), answers)))
@@ -152,7 +152,7 @@ def _option_list(question: Question, page: ChapterPage) -> str:
 def _answers(question: Quiz, page: ChapterPage) -> Iterator[str]:
     """A line for each answer, with its explanation."""
     kind = kind_of(question)
-    if kind.starter(question):
+    if kind.cells(question):
         yield from (page.markdown(option.words) for option in question.options if option.correct)
         return
     if kind.needs_page:  # its other answers are settings that only a page can judge

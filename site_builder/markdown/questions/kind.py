@@ -65,8 +65,8 @@ class QuestionKind:
     """The options to choose from or to put in order, as a page lists them."""
     drawn: bool = False
     """Whether its field is a drawing, which holds what is right."""
-    starter: Callable[[Question], str] = lambda _question: ""
-    """The Python that a notebook offers to complete, with its checks."""
+    cells: Callable[[Question], Sequence[str]] = lambda _question: ()
+    """The Python that a notebook offers to complete, and its checks."""
     needs_page: bool = False
     """Whether it is answered with a figure of its page, which no other place has."""
 

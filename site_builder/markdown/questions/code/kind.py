@@ -142,6 +142,14 @@ def _page_data(question: Question) -> Mapping[str, object]:
     }
 
 
+def _cells(question: Question) -> tuple[str, str]:
+    """The function to write, with the names that a page gives it; and its checks."""
+    task: CodeTask = question.details
+    module = task.exercise.model.partition(":")[0]
+    names = ("import numpy as np", f"from {module} import *" if module else "")
+    return "\n".join((*filter(None, names), "", task.starter)), task.exercise.check
+
+
 CODE = QuestionKind(
     folder="code",
     doc="a function to write, judged by values, a ladder's workload and hard cases",
@@ -162,6 +170,6 @@ CODE = QuestionKind(
     ),
     page_data=_page_data,
     catalogue=lambda question: {"starter": question.details.starter},
-    starter=lambda question: f"{question.details.starter}\n\n{question.details.exercise.check}",
+    cells=_cells,
     needs_page=True,
 )
