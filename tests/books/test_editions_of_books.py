@@ -16,6 +16,7 @@ from nbclient import NotebookClient
 from nbformat import NotebookNode, v4
 from support.engine import Engine, built_once, run
 from support.places import GERMAN_BOOK, ROOT
+from support.printed_figures import pages_of_figures
 from support.qti import illegal_parts
 
 from simulations.engine.frame import Raster
@@ -148,3 +149,14 @@ def test_epubcheck_finds_no_errors_or_warnings_in_an_e_book(
     java = ("java", "-jar") if Path(checker).read_bytes().startswith(PACKED) else ()
     done = run(tmp_path, *java, checker, "--failonwarnings", str(out))
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.deep
+@pytest.mark.browser
+def test_no_figure_of_the_pdf_is_torn(tmp_path: Path) -> None:
+    out = tmp_path / "book.pdf"
+    done = run(ROOT, sys.executable, "-m", "site_builder", "pdf", "--out", str(out))
+    assert done.returncode == 0, done.stderr
+    pages = pages_of_figures(out)
+    assert len(pages) > 90
+    assert all(len(each) == 1 for each in pages)
