@@ -14,6 +14,7 @@ from site_builder.build import Options, Warn, build_site, check_site
 from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import Cache, using
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json, counted
+from site_builder.diagnostics.progress import say, show_progress
 from site_builder.document.book import Book
 from site_builder.files.engine import engine_version
 from site_builder.files.folders import replace_file
@@ -43,8 +44,9 @@ def main(arguments: list[str] | None = None) -> int:
 
     def warn(warning: Diagnostic) -> None:
         warnings.append(warning)
-        print(warning, file=sys.stderr)
+        say(str(warning), sys.stderr)
 
+    show_progress(sys.stderr)
     try:
         prepare_photographs(ROOT)
         with using(Cache()), using_pool():
@@ -69,6 +71,8 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
     """The command's number where nothing was raised."""
     match given.command:
         case "build":
+            if given.bar is not None:
+                show_progress(os.fdopen(given.bar, "w", encoding="utf-8"))
             if given.wait:
                 source_hash("site_builder.build")  # cached, for when a line comes
                 read_figures()
@@ -196,6 +200,7 @@ def _parser() -> argparse.ArgumentParser:
     build = add("build", "check everything, then write the site", out, runtime)
     for name, does in (("--reload", "pages reload themselves"), ("--wait", "begin after a line")):
         build.add_argument(name, action="store_true", help=f"for `serve`: {does}")
+    build.add_argument("--bar", type=int, help="for `serve`: file descriptor of its terminal")
     build.add_argument("--address", default="", help="where the site will be")
     build.add_argument("--source", default="", help="where its sources are, with {path} in it")
     add("serve", "build, show, and build again on every change", out, runtime, place)

@@ -13,10 +13,15 @@ from pathlib import Path
 
 from simulations.engine.message import legible
 from site_builder.diagnostics.blame import place_in, place_of, settings_of, words_of
+from site_builder.diagnostics.progress import say
 
 BELOW = "all below"
 TARGETS = ("unknown target", "unknown anchor", "unknown figure of this page", "is cited nowhere")
 """What follows where labels, figures or citations are lost."""
+UNREAD = ("unknown prediction of this page", "unknown figure of this page")
+"""What follows where a directive is not read."""
+NOT_OPENED = ("closes no directive", "is no option here", "is no task", "defines nothing")
+"""What follows below a directive that is not opened."""
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
 
@@ -113,7 +118,11 @@ def without_following(found: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
 def _follows(one: Diagnostic, cause: Diagnostic) -> bool:
     if BELOW in cause.spoils and one.path == cause.path and one.line > cause.line:
         return True
-    return any(phrase == one.path or phrase in one.message for phrase in cause.spoils)
+    below = one.path == cause.path and one.line > cause.line
+    return any(
+        phrase == one.path or (phrase in one.message and (below or phrase not in NOT_OPENED))
+        for phrase in cause.spoils
+    )
 
 
 def _at_its_source(found: Diagnostic, error: BaseException | None) -> Diagnostic:
@@ -153,12 +162,12 @@ def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
     listed = ", ".join(names[:MOST_LISTED]) or "none"
     rest = len(names) - MOST_LISTED
     every = f"{listed} and {rest} more" if rest > 0 else listed
-    return f"unknown {kind} {_quoted(given)}; " + (
-        f"did you mean {_quoted(near)}?" if near else f"legal: {every}"
+    return f"unknown {kind} {quoted(given)}; " + (
+        f"did you mean {quoted(near)}?" if near else f"legal: {every}"
     )
 
 
-def _quoted(name: str) -> str:
+def quoted(name: str) -> str:
     """As `repr`, with the backslashes of TeX as they stand."""
     return repr(name).replace(r"\\", "\\")
 
@@ -227,4 +236,4 @@ END = "…"
 
 def announce(step: str) -> None:
     """Print ``step`` as it begins: ``fetching Pyodide…``."""
-    print(f"{step}{END}", file=sys.stderr, flush=True)
+    say(f"{step}{END}", sys.stderr)

@@ -135,10 +135,11 @@ def render_initial_frames(
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
         places.insert(0, ("cover", book.hero))
-    drawn = side_by_side(
+    jobs = (
         partial(_drawn, page, figure, parts_of(figure, places) if prerendered else None)
         for page, figure in places
     )
+    drawn = side_by_side(jobs, "figures")
     for (page, figure), done in zip(places, drawn, strict=True):
         try:
             first, others = done.result()

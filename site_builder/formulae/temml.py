@@ -17,6 +17,7 @@ from pathlib import Path
 from simulations.engine import frame
 from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import unknown
+from site_builder.diagnostics.progress import advance
 from site_builder.files.folders import file_hash
 from site_builder.programs.node import NODE, NodeError, installed_packages
 
@@ -158,6 +159,7 @@ def _to_mathml(tex: str, display: bool, spoken: bool, macros: Macros, _sources: 
             raise UnsupportedTexError(rf"\{name} in {quoted(tex)}; legal: {legal}")
     bodies = {f"\\{name}": common_tex(body) for name, body in macros.items()}
     answer = set_tex(common_tex(tex), display=display, spoken=spoken, macros=bodies)
+    advance()
     if "error" in answer:
         raise UnsupportedTexError(_in_words(answer["error"], tex))
     mathml = answer["mathml"]

@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from site_builder.cache.hashing import hash_of
 from site_builder.cache.results import cached_result
+from site_builder.diagnostics.progress import advance, counting
 from site_builder.document.blocks import Block
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Heading
@@ -30,13 +31,12 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     book, following = site.book, back_matter_pages(site.book)
     render = _renderer(site, titled(following, book.words))
-    pages: dict[str, bytes] = {}
+    wanted: dict[str, tuple[str, dict[str, Any]]] = {}
 
     def add(template: str, path: str, **context: object) -> None:
-        pages[path] = render(f"{template}.html", path, **context)
+        wanted[path] = template, context
 
     add("landing", "index.html", **_title_page(site))
-    pages["404.html"] = render("not-found.html")  # which is served at any address
     add("licences", "licences/index.html", licences=licences)
     if any(chapter.quizzes for chapter in book.chapters):
         add("class", "class/index.html", questions=class_data(book))
@@ -53,6 +53,11 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         for path, figure in embeds(chapter):
             # So many pages link to the style sheet rather than hold it.
             add("embed", path, chapter=chapter, cover=figure, styles="")
+    pages = {"404.html": render("not-found.html")}  # which is served at any address
+    with counting("pages", len(wanted)):
+        for path, (template, context) in wanted.items():
+            pages[path] = render(f"{template}.html", path, **context)
+            advance()
     return pages
 
 

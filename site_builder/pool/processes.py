@@ -14,7 +14,7 @@ import pickle
 import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from concurrent.futures import Future, ThreadPoolExecutor, wait
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, fields, is_dataclass, make_dataclass
 from functools import partial
@@ -28,6 +28,7 @@ from simulations.engine.controls.control import setting
 from site_builder.cache.hashing import HOLDERS, hash_of, source_hash
 from site_builder.cache.results import cached
 from site_builder.diagnostics.blame import place_in_trace, place_of, remember, words_of
+from site_builder.diagnostics.progress import advance, counting
 from site_builder.files.engine import ENGINE_PARTS
 
 SECONDS = 60.0
@@ -84,7 +85,7 @@ def run_in_pool[T](job: Callable[[], T], of: object = None) -> T:
     except (pickle.PicklingError, AttributeError, TypeError) as error:
         raise TypeError(f"{error}; legal: data and functions of modules") from None
     try:
-        good, answer = _answered(pickled, pool)
+        good, answer = _answered(pickled, pool, f"{of!r} " if isinstance(of, str) else "")
     except KilledError as error:
         if of is not None:
             pool.killed[of] = error
@@ -100,12 +101,15 @@ def copies() -> dict[str, Any] | None:
     return _active.copies if _active else None
 
 
-def side_by_side[T](jobs: Iterable[Callable[[], T]]) -> list[Future[T]]:
-    """Each of ``jobs`` done; what of it calls `run_in_pool` runs on all cores."""
+def side_by_side[T](jobs: Iterable[Callable[[], T]], what: str = "jobs") -> list[Future[T]]:
+    """Each of ``jobs`` done; what of it calls `run_in_pool` runs on all cores. ``what`` they make
+    is counted."""
     threads = ThreadPoolExecutor(_cores() if _active else 1)
     try:
         futures = [threads.submit(job) for job in jobs]
-        wait(futures)
+        with counting(what, len(futures)):
+            for _ in as_completed(futures):
+                advance()
     finally:
         threads.shutdown(wait=False, cancel_futures=True)
     return futures
@@ -117,16 +121,16 @@ def _cores() -> int:
     return len(affinity(0)) if affinity else os.cpu_count() or 1
 
 
-def _answered(pickled: bytes, pool: _Pool) -> tuple[bool, bytes]:
-    """The answer of a process. Raises `KilledError`."""
+def _answered(pickled: bytes, pool: _Pool, who: str) -> tuple[bool, bytes]:
+    """The answer of a process. Raises `KilledError` that says ``who`` has none."""
     with NamedTemporaryFile() as trace:
         future = pool.processes.schedule(_answer, (pickled, trace.name), timeout=pool.seconds)
         try:
             return future.result()
         except TimeoutError:
-            said = f"takes more than {pool.seconds:g} s"
+            said = f"{who}takes more than {pool.seconds:g} s"
         except ProcessExpired as error:
-            said = f"ends its process, {_ending(error.exitcode)}"
+            said = f"{who}ends its process, {_ending(error.exitcode)}"
         # As Python writes it: all beyond ASCII as escape sequences.
         text = trace.read().decode("unicode_escape", "replace")
     raise remember(KilledError(said), place_in_trace(text), said)

@@ -97,6 +97,8 @@ class Builds:
     """The style sheets as the site has them."""
     _files: Files = field(default_factory=dict)
     """The site as open pages have it: a cancelled build may have written it all the same."""
+    _terminal: int = field(default_factory=lambda: os.dup(2))
+    """On which a build shows how far it is; its own standard error is read here."""
     _next: Process | None = None
     """Has imported the builder and waits for a change."""
 
@@ -134,7 +136,8 @@ class Builds:
         runtime = [] if self.runtime else ["--no-runtime"]
         return await asyncio.create_subprocess_exec(
             sys.executable, "-m", "site_builder", "build", "--reload", "--wait",
-            "--out", self.out, *runtime, stdin=PIPE, stdout=PIPE, stderr=PIPE,
+            "--out", self.out, *runtime, "--bar", str(self._terminal),
+            stdin=PIPE, stdout=PIPE, stderr=PIPE, pass_fds=[self._terminal],
             limit=MOST_BYTES,
             cwd=self.root, start_new_session=True,
         )  # fmt: skip

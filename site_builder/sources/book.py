@@ -12,6 +12,7 @@ from site_builder.cache.hashing import hash_of, source_hash
 from site_builder.cache.results import cached_reading, cached_result
 from site_builder.diagnostics.blame import CodeError, raised_by_code
 from site_builder.diagnostics.diagnostic import TARGETS, BuildError, Diagnostics, nearest, unknown
+from site_builder.diagnostics.progress import counting
 from site_builder.document.blocks import Simulation
 from site_builder.document.book import OUTLINE, Book, Chapter
 from site_builder.document.places import Passage, Position, Target, Targets, chapter_id
@@ -115,6 +116,7 @@ def _targets_state(targets: Targets) -> bytes:
 SCENE_FILE = re.compile(r"scenes/([^_/]\w*)[/.]")
 """A file of one scene: a module, or part of a package. Shared code is in modules and packages whose
 names begin with an underscore."""
+FORMULA = re.compile(r"\$\$.+?\$\$|\$[^$\n]+\$", re.DOTALL)
 WORDS = re.compile(r"\{ref\}`[^`]*`|(\w+)")
 """Without references, as a chapter may have the name of a scene."""
 
@@ -138,6 +140,9 @@ def read_book(
     check_boxes(outline, problems)
     _check_unlisted(sources, outline)
 
+    formulae = {tex for page in pages for tex in FORMULA.findall(page.text)}
+    with counting("formulae", len(formulae)):
+        chapters = tuple(page.read(targets, known, problems) for page in pages)
     glossary = ParseContext(path=GLOSSARY, shared=shared, problems=problems, targets=targets)
     symbols = ParseContext(path=SYMBOLS, shared=shared, problems=problems, targets=targets)
     return Book(
@@ -152,7 +157,7 @@ def read_book(
         hero=_read_hero(outline, shared, problems),
         starts=tuple(_read_links(settings.starts, outline, targets, problems)),
         stops=tuple(_read_links(settings.path.stops, outline, targets, problems)),
-        chapters=tuple(page.read(targets, known, problems) for page in pages),
+        chapters=chapters,
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(sources, targets),
         search_words=tuple(read_search_words(sources, targets)),

@@ -1,11 +1,16 @@
 """Commands: their output for people and for programs, and their exit codes."""
 
+import fcntl
 import json
 import os
+import pty
 import re
 import shlex
+import struct
 import subprocess
 import sys
+import termios
+import time
 import zipfile
 from collections.abc import Callable
 from dataclasses import replace
@@ -31,6 +36,7 @@ from site_builder.diagnostics.diagnostic import (
     column_of,
     suggestion_of,
 )
+from site_builder.diagnostics.progress import advance, counting, show_progress
 from site_builder.pool.processes import KilledError, run_in_pool, using_pool
 from site_builder.runtime import freeze, pack
 from site_builder.runtime.imports import module_files
@@ -295,3 +301,21 @@ def test_data_files_named_by_a_module_are_packed_with_it(tmp_path: Path) -> None
     files = module_files(tmp_path / "simulations")
     with zipfile.ZipFile(BytesIO(chunk_archive(files, [f"{PACKAGE}.named"]))) as archive:
         assert archive.namelist() == ["simulations/small/named.py", "simulations/small/heights.csv"]
+
+
+def test_long_step_shows_its_bar_on_a_terminal_alone(capsys: pytest.CaptureFixture[str]) -> None:
+    reader, writer = pty.openpty()
+    fcntl.ioctl(writer, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+    with os.fdopen(writer, "w", encoding="utf-8") as terminal:
+        try:
+            for stream in (sys.stderr, terminal):
+                show_progress(stream)
+                with counting("figures", 4):
+                    time.sleep(1.1)
+                    advance()
+        finally:
+            show_progress(None)
+        shown = os.read(reader, 4096).decode()
+    os.close(reader)
+    assert re.search(r"figures: +25%.*1/4", shown)
+    assert capsys.readouterr() == ("", "")

@@ -53,12 +53,12 @@ ENDLESS = [
 @pytest.mark.parametrize(("line", "says"), ENDLESS)
 def test_endless_job_is_killed_and_its_line_is_named(line: str, says: str, tmp_path: Path) -> None:
     source = f"import ctypes, itertools, os, time\n\ndef draw():\n    {line}\n\ndraw()\n"
-    place = "simulations/small/scene.py"
+    place, who = "simulations/small/scene.py", "the-scene"
     with using_pool(SECONDS), small_package(tmp_path / "böok", {"scene": source}):
         for job in (partial(runpy.run_path, str(tmp_path / "böok" / place)), os.getpid):
             with pytest.raises(KilledError) as raised:
-                run_in_pool(job, of="the scene, which is not tried again")
-            assert (place_of(raised.value), str(raised.value)) == (f"{place}:4", says)
+                run_in_pool(job, of=who)  # which is not tried again
+            assert (place_of(raised.value), str(raised.value)) == (f"{place}:4", f"{who!r} {says}")
         assert run_in_pool(partial(divmod, 7, 4)) == (1, 3)
 
 
