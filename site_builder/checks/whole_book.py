@@ -220,7 +220,8 @@ def _is_in(use: TermUse, chapter: str, place: Target) -> bool:
 
 
 def _check_symbols(book: Book, problems: Diagnostics) -> None:
-    """Report symbols without a meaning and meanings of no symbol; warn of those in no formula."""
+    """Report symbols without a meaning and meanings of no symbol; warn of those in no formula,
+    where all could be read."""
     if not book.symbols:
         return
     chapters = {chapter.id: chapter for chapter in book.chapters}
@@ -244,7 +245,7 @@ def _check_symbols(book: Book, problems: Diagnostics) -> None:
             symbol = item.symbol
             if not spelt(symbol.tex):
                 problems.add(FILE, symbol.line, f"{symbol.tex!r}; legal: one symbol, such as 'k_1'")
-            elif symbol.line not in used and name in (BOOK, *chapters):
+            elif symbol.line not in used and name in (BOOK, *chapters) and not problems:
                 problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
 
 

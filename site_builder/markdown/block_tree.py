@@ -9,7 +9,7 @@ from typing import Any
 from markdown_it.token import Token
 
 from site_builder.diagnostics.blame import CodeError, raised_by_code
-from site_builder.diagnostics.diagnostic import unknown
+from site_builder.diagnostics.diagnostic import UNREAD, unknown
 from site_builder.document.blocks import Block, Deeper, Prose
 from site_builder.document.places import Passage, passage
 from site_builder.markdown.content_files import file_error
@@ -25,7 +25,7 @@ def checked(
     or illegal. Everything illegal is reported."""
     options = _checked_options(directive, call, context)
     if fault := _argument_error(directive, call, context):
-        context.problem(call.line, fault)
+        context.problem(call.line, fault, spoils=UNREAD)
         return None
     return replace(call, options=options)
 

@@ -12,7 +12,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.footnote import footnote_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
 
-from site_builder.diagnostics.diagnostic import BELOW, TARGETS
+from site_builder.diagnostics.diagnostic import BELOW, TARGETS, UNREAD
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directive import Directive, DirectiveCall, OptionValue
 from site_builder.markdown.directives import DIRECTIVES
@@ -21,7 +21,7 @@ from site_builder.markdown.numbering import heading_ids_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.dialects import dialects_rule, unknown_directive
-from site_builder.markdown.text.stray_marks import stray_marks_rule
+from site_builder.markdown.text.stray_marks import UNOPENED, stray_marks_rule
 from site_builder.markdown.text.tokens import displays_rule, typography_rule
 
 OPENING = re.compile(r"(:{3,})\{([\w-]+)\}[ \t]*(.*)")
@@ -63,7 +63,7 @@ def directive_rule(
         return True
     opening = OPENING.fullmatch(text)
     if not opening:
-        _complain(state, start, _stray(text))
+        _complain(state, start, _stray(text), *(() if CLOSING.fullmatch(text) else UNOPENED))
         attributes = re.match(r"(:{3,})\s*\{\.", text)  # of another tool, whose end is no mistake
         last = _find_end(state, start, end, len(attributes[1]))[0] if attributes else start
         state.line = min(last + 1, end)
@@ -79,9 +79,10 @@ def directive_rule(
             f"{{{name}}} is empty",
             *TARGETS,
         )
-    if name not in directives:
-        _complain(state, start, unknown_directive(name, directives))
     options, body = _read_options(state, start + 1, last)
+    if name not in directives:
+        _complain(state, start, unknown_directive(name, directives), *UNREAD, *TARGETS)
+        body = last  # what it would mean is not known
     call = DirectiveCall(name, argument.strip(), options, start + 1)
     _push(state, directives.get(name), call, body, last)
     state.line = min(last + 1, end)

@@ -7,7 +7,7 @@ from datetime import date, datetime
 from typing import Any
 from urllib.parse import urlsplit
 
-from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, nearest, unknown
 from site_builder.files.text import Keys, Toml
 
 PATH = "{path}"
@@ -176,7 +176,8 @@ class Reader:
         known = {item.name: item for item in declared}
         for name in given:
             if name not in known:
-                self.report((*at, name), unknown(f"key{_inside(at)}", name, known))
+                message = unknown(f"key{_inside(at)}", name, known)
+                self.report((*at, name), message, f"no {nearest(name, known)!r}{_inside(at)};")
         read = {name: self._value(item, given, at) for name, item in known.items()}
         return {name: each for name, each in read.items() if each is not MISSING}
 
@@ -194,8 +195,8 @@ class Reader:
             return None
         return tuple(self.table(of, entry, (name, at)) for at, entry in enumerate(entries))
 
-    def report(self, at: Keys, message: str) -> None:
-        self.problems.add(self.path, self.toml.line(*at), message)
+    def report(self, at: Keys, message: str, *spoils: str) -> None:
+        self.problems.add(self.path, self.toml.line(*at), message, spoils=spoils)
 
     def _value(self, item: Key, values: Mapping[str, object], at: Keys) -> Any:
         given, place = values.get(item.name, MISSING), (*at, item.name)

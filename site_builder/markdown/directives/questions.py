@@ -10,6 +10,7 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.diagnostics.diagnostic import UNREAD
 from site_builder.document.blocks import Block, Prediction, Question, Quiz, Reveal
 from site_builder.document.places import Passage, Plain, passage
 from site_builder.markdown.block_tree import BLOCKS, plain_tokens
@@ -87,7 +88,8 @@ def prediction_id(call: DirectiveCall) -> str:
 def _check_id(call: DirectiveCall, context: ParseContext) -> None:
     if not ID.fullmatch(call.argument):
         expected = "small letters, digits and hyphens"
-        context.problem(call.line, f"{call.name} id {call.argument!r}; legal: {expected}")
+        message = f"{call.name} id {call.argument!r}; legal: {expected}"
+        context.problem(call.line, message, spoils=UNREAD)
 
 
 def _check_options(call: DirectiveCall, context: ParseContext) -> None:

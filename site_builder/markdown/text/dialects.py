@@ -8,7 +8,7 @@ from functools import partial
 
 from markdown_it.rules_core import StateCore
 
-from site_builder.diagnostics.diagnostic import TARGETS, unknown
+from site_builder.diagnostics.diagnostic import TARGETS, quoted, unknown
 from site_builder.document.places import chapter_id
 
 type Problem = tuple[int, *tuple[str, ...]]
@@ -142,7 +142,7 @@ def _running(in_table: bool, line: int, problems: list[Problem], found: re.Match
         target = "#".join(filter(None, (file and chapter_id(file), anchor and _ours(anchor))))
         shown = words.strip().replace("%s", "{number}")
         return f"{{ref}}`{shown} <{target}>`" if shown else f"{{ref}}`{target}`"
-    message = f"{found[0]!r} is a link without words; legal: '[words](…)'"
+    message = f"{quoted(found[0])} is a link without words; legal: '[words](…)'"
     problems.append((line, message))
     return "words"
 
@@ -179,24 +179,27 @@ def _equations(lines: list[str], code: list[bool], problems: list[Problem]) -> N
                 between = [text for text in lines[blank:later] if text.strip()]
                 end = later if later and all(map(LOOKS_LIKE_TEX, between)) else blank - 1
                 _drop_formula(lines, place, end, problems)
-        elif begin := BEGIN.fullmatch(text):
-            name, star, rest = (begin[n] or begin[n + 3] or "" for n in (1, 2, 3))
-            closing = f"\\end{{{name}{star}}}" if name else "\\]"
-            ends = (n for n in range(place, len(lines)) if lines[n].rstrip().endswith(closing))
-            end = next(ends, -1)
-            if end > place:
-                inside = INSIDE.get(name, "aligned") if name else ""
-                labels = TEX_LABEL.findall("\n".join(lines[place : end + 1]))
-                lines[place] = f"$${inside and f'\\begin{{{inside}}}'}{rest}"
-                last = lines[end].rstrip().removesuffix(closing)
-                label = f" ({_ours(labels[0])})" if labels else ""
-                lines[end] = f"{last}{inside and f'\\end{{{inside}}}'}$${label}"
-                for n in range(place, end + 1):
-                    lines[n] = TEX_LABEL.sub("", lines[n])
-        else:
-            for found in COMMAND.finditer(APART.sub("", line)):
-                said = "'{cite}`key`', '{ref}`TARGET`', Markdown, or between '$$'"
-                problems.append((place + 1, f"{found[0]!r} outside of a formula; legal: {said}"))
+            continue
+        begin = BEGIN.fullmatch(text)
+        name, star, rest = (
+            (begin[n] or begin[n + 3] or "" for n in (1, 2, 3)) if begin else [""] * 3
+        )
+        closing = f"\\end{{{name}{star}}}" if name else "\\]"
+        ends = (n for n in range(place, len(lines)) if lines[n].rstrip().endswith(closing))
+        if begin and (last := next(ends, -1)) >= place:
+            end, inside = last, INSIDE.get(name, "aligned") if name else ""
+            labels = TEX_LABEL.findall("\n".join(lines[place : end + 1]))
+            lines[place] = f"$${inside and f'\\begin{{{inside}}}'}{rest}"
+            body = lines[end].rstrip().removesuffix(closing)
+            label = f" ({_ours(labels[0])})" if labels else ""
+            lines[end] = f"{body}{inside and f'\\end{{{inside}}}'}$${label}"
+            for n in range(place, end + 1):
+                lines[n] = TEX_LABEL.sub("", lines[n])
+            continue
+        commands = [found[0] for found in COMMAND.finditer(APART.sub("", line))]
+        for command in dict.fromkeys(each.replace(r"\end{", r"\begin{") for each in commands):
+            said = "'{cite}`key`', '{ref}`TARGET`', Markdown, or between '$$'"
+            problems.append((place + 1, f"{quoted(command)} outside of a formula; legal: {said}"))
 
 
 def _drop_formula(lines: list[str], place: int, end: int, problems: list[Problem]) -> None:

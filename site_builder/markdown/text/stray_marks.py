@@ -3,12 +3,13 @@ other kinds of Markdown, numbers of figures and chapters, which may change."""
 
 import re
 from collections.abc import Iterator, Sequence
+from typing import Any
 
 from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
-from site_builder.diagnostics.diagnostic import BELOW, TARGETS
+from site_builder.diagnostics.diagnostic import BELOW, NOT_OPENED, TARGETS, UNREAD, quoted
 from site_builder.files.text import CONTROL, control_character_message
 from site_builder.markdown.text.tokens import children_located
 
@@ -53,11 +54,15 @@ TYPED_NUMBER = re.compile(
     r"|[Cc]hapters? (?:one|two|three|four|five|six|seven|eight|nine|ten)\b)"
 )
 """What may be a reference typed by hand, or one to another work."""
+UNOPENED = (*NOT_OPENED, *UNREAD, *TARGETS)
+NO_LABEL = "labels nothing; legal: above a heading, a formula or a figure"
+NO_DIRECTIVE = "is no directive; legal: ':::{name} argument'"
+FOLLOWS = {NO_DIRECTIVE: UNOPENED, NO_LABEL: TARGETS}
 LINE_SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
-        (r"(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
-        (r"(\([\w:.-]+\)=)", "labels nothing; legal: above a heading, a formula or a figure"),
+        (r"(::?\{[\w-]+\}.*)", NO_DIRECTIVE),
+        (r"(\([\w:.-]+\)=)", NO_LABEL),
         (r"(#{2,6}\w[^\n]*|#[A-Za-z][^\n]*)", "is no heading; legal: a space behind the '#'"),
         (
             r"(:[a-z_][\w-]*:?)(?:$|[\s=])",
@@ -119,7 +124,7 @@ def stray_marks_rule(state: StateCore) -> None:
 
 def _in_paragraph(
     inline: Token, line: int, doubts: list[tuple[int, str]]
-) -> Iterator[tuple[int, str]]:
+) -> Iterator[tuple[Any, ...]]:
     above = 0
     for child, place in children_located(inline, line):
         for text in (child.content, *map(str, child.attrs.values())):
@@ -131,7 +136,9 @@ def _in_paragraph(
             found = [(pattern.search(child.content), expected) for pattern, expected in SLIPS]
             if place > above:
                 found += [(start.match(child.content), expected) for start, expected in LINE_SLIPS]
-            yield from ((place, f"{slip[1]!r} {expected}") for slip, expected in found if slip)
+            for slip, expected in found:
+                if slip:
+                    yield place, f"{quoted(slip[1])} {expected}", *FOLLOWS.get(expected, ())
         above = place
 
 
