@@ -158,13 +158,9 @@ def arrow(start: Point, end: Point, style: str = "", head: float = 8.0) -> str:
     if length <= head:
         return line(start, end, style)
     ux, uy = dx / length, dy / length
-    neck = (end[0] - head * ux, end[1] - head * uy)
-    half = head * 0.38
-    corners = (
-        end,
-        (neck[0] - half * uy, neck[1] + half * ux),
-        (neck[0] + half * uy, neck[1] - half * ux),
-    )
+    neck = (x, y) = (end[0] - head * ux, end[1] - head * uy)
+    aside, down = head * 0.38 * uy, head * 0.38 * ux
+    corners = (end, (x - aside, y + down), (x + aside, y - down))
     return line(start, neck, style) + polygon(corners, f"{style} solid".strip())
 
 

@@ -39,9 +39,9 @@ class Panel:
     """Height of the view box, in overlay units."""
     raster: Raster | None = None
     """(H, W, 4) uint8 sRGB, straight alpha, C-contiguous; stretched over the view box."""
-    _: KW_ONLY
     overlay: str = ""
     """SVG markup in view box units; CSS classes only, so that themes and print work."""
+    _: KW_ONLY
     pixelated: bool = False
     """Show the raster's pixels as squares instead of smoothing them."""
     lead: bool = False

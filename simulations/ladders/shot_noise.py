@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -79,36 +80,19 @@ def _count(workload: Workload, model: ShotModel) -> Floats:
     return shot_noise(workload.mean_e, np.random.default_rng(workload.seed), model=model)
 
 
+TIERS: tuple[tuple[ShotModel, str, str], ...] = (
+    ("gaussian", "Rounded Gaussian", "1 normal deviate"),
+    ("skewed", "Skew-corrected Gaussian", "1 normal deviate, 1 square"),
+    ("quantile", "Quantile of a normal", "1 normal deviate, λ + 1 sums below λ = 10, then 3 terms"),
+    ("poisson", "Exact Poisson", "up to λ + 1 uniform deviates below λ = 10, then about 2"),
+)
 LADDER = Ladder(
     id="shot-noise",
     title="Shot noise",
     workload="65 536 pixels at each of eight levels, from 0.1 to 1000 electrons, float32",
     prepare=prepare,
-    tiers=(
-        Tier(
-            "gaussian",
-            "Rounded Gaussian",
-            "1 normal deviate",
-            lambda work: _count(work, "gaussian"),
-        ),
-        Tier(
-            "skewed",
-            "Skew-corrected Gaussian",
-            "1 normal deviate, 1 square",
-            lambda work: _count(work, "skewed"),
-        ),
-        Tier(
-            "quantile",
-            "Quantile of a normal",
-            "1 normal deviate, λ + 1 sums below λ = 10, then 3 terms",
-            lambda work: _count(work, "quantile"),
-        ),
-        Tier(
-            "poisson",
-            "Exact Poisson",
-            "up to λ + 1 uniform deviates below λ = 10, then about 2",
-            lambda work: _count(work, "poisson"),
-        ),
+    tiers=tuple(
+        Tier(model, label, cost, partial(_count, model=model)) for model, label, cost in TIERS
     ),
     reference=reference,
     reference_label="the sum of the Poisson probabilities, float64",

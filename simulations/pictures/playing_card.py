@@ -27,12 +27,9 @@ def _heart(x: float, y: float, wide: float) -> Floats:
 
 def _rounded(wide: float, high: float, radius: float) -> Floats:
     turns = np.linspace(0, math.pi / 2, 7)
+    right, top = wide / 2 - radius, high / 2 - radius
     corners = [
-        (
-            math.copysign(wide / 2 - radius, math.cos(a)),
-            math.copysign(high / 2 - radius, math.sin(a)),
-            a,
-        )
+        (math.copysign(right, math.cos(a)), math.copysign(top, math.sin(a)), a)
         for a in (math.pi / 4 + quarter * math.pi / 2 for quarter in range(4))
     ]
     return np.array(
@@ -46,17 +43,9 @@ def _rounded(wide: float, high: float, radius: float) -> Floats:
 
 def _index() -> Iterator[Floats]:
     """The 7 and its heart in the upper left corner."""
-    yield np.array(
-        [
-            (-22, 31.5),
-            (-15, 31.5),
-            (-15, 30.3),
-            (-18.3, 23.5),
-            (-20.2, 23.5),
-            (-17, 29.8),
-            (-22, 29.8),
-        ]
-    )
+    x = (-22, -15, -15, -18.3, -20.2, -17, -22)
+    y = (31.5, 31.5, 30.3, 23.5, 23.5, 29.8, 29.8)
+    yield np.stack((x, y), axis=-1)
     yield _heart(-18.5, 19.5, 5.5)
 
 

@@ -205,9 +205,7 @@ def paint(body: Body, linear: Floats) -> NDArray[np.uint8]:
 
 
 def camera_panel(picture: Raster, overlay: str) -> Panel:
-    return Panel(
-        "camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay=overlay, lead=True
-    )
+    return Panel("camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay, lead=True)
 
 
 def true_cosine(body: Body, angle_deg: float) -> NDArray[np.float64]:

@@ -192,7 +192,7 @@ def enlarged(picture: Raster, settings: Settings) -> Panel:
     part = np.ascontiguousarray(picture[rows, settings.column : settings.column + COLUMNS])
     is_mosaic = round(settings.split * picture.shape[1]) <= settings.column + QUAD_COLUMN
     overlay = quad() if is_mosaic else ""
-    return Panel("loupe", "Under the loupe", WIDTH, HEIGHT, part, overlay=overlay, pixelated=True)
+    return Panel("loupe", "Under the loupe", WIDTH, HEIGHT, part, overlay, pixelated=True)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -217,7 +217,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 lead=True,
             ),
             enlarged(outputs["wipe"], settings),
-            Panel("error", title, WIDTH, HEIGHT, of_error, overlay=worst_pixel(*errors.worst_at)),
+            Panel("error", title, WIDTH, HEIGHT, of_error, worst_pixel(*errors.worst_at)),
         ),
         (
             readout("psnr", "Fidelity (PSNR)", errors.psnr_db, "dB", digits=1, role="error"),

@@ -168,7 +168,7 @@ def picture_panel(here: Standpoint, raster: Raster) -> Panel:
         x, y = pixels[0]
         overlay += drawing.dot((x, y), "light", 6.0)
         overlay += drawing.text((x - BESIDE, y + 4.0), "lamp", "light small ground", "end")
-    return Panel("picture", "What the camera sees", wide, high, raster, overlay=overlay, lead=True)
+    return Panel("picture", "What the camera sees", wide, high, raster, overlay, lead=True)
 
 
 def world_panel(here: Standpoint, look: View) -> Panel:

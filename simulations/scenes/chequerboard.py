@@ -169,7 +169,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     )
     picture, title = picture_of(board, sheet), "The board on its sheet"
     return Frame(
-        (Panel("sheet", title, WIDTH, HEIGHT, picture, overlay=overlay, lead=True),),
+        (Panel("sheet", title, WIDTH, HEIGHT, picture, overlay, lead=True),),
         (
             Readout("corners", "Inner corners", corners, "", role="image"),
             Readout("paper", "Paper", paper, f"{size} mm"),

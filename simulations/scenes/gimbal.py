@@ -308,9 +308,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel("gimbal", title, 400.0, 400.0, overlay=rings, lead=True),
-            Panel(
-                "sight", "What the camera sees", *SIGHT, outputs["sky"], overlay=outputs["sight"]
-            ),
+            Panel("sight", "What the camera sees", *SIGHT, outputs["sky"], outputs["sight"]),
         ),
         (
             matrix_readout("axes", "C, the camera’s axes as columns", C, role="camera"),

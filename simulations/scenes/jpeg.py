@@ -226,9 +226,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     in_block = "Coefficients kept in the block"
     return Frame(
         (
-            Panel(
-                "picture", "The picture before and after", *SIZE, displayed, overlay=over, lead=True
-            ),
+            Panel("picture", "The picture before and after", *SIZE, displayed, over, lead=True),
             Panel(
                 "codes",
                 "The patterns the block is made of",

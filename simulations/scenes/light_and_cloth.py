@@ -216,9 +216,9 @@ def draw(settings: LitSurface, outputs: Outputs) -> Frame:
     x, y, luminance = xyz_to_xyy(response.xyz[0, chosen]).tolist()
     return Frame(
         (
-            Panel("light", "Light × cloth", *size, sent_back, overlay=curves, lead=True),
-            Panel("patches", "What the eye sees", *size, patches, overlay=names),
-            Panel("diagram", "Colours without brightness", *size, horseshoe(), overlay=colours),
+            Panel("light", "Light × cloth", *size, sent_back, curves, lead=True),
+            Panel("patches", "What the eye sees", *size, patches, names),
+            Panel("diagram", "Colours without brightness", *size, horseshoe(), colours),
         ),
         (
             readout("x", "Chromaticity x", x, digits=3, role="world"),

@@ -194,7 +194,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 overlay=CHART.overlay(settings.surface),
                 pixelated=True,
             ),
-            Panel("sensor", "What the sensor takes of the light", *size, ground, overlay=areas),
+            Panel("sensor", "What the sensor takes of the light", *size, ground, areas),
         ),
         (
             readout("gain_red", "Factor for red", colours.gains[0], role="light"),

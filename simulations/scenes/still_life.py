@@ -91,7 +91,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     side = "right" if settings.light_angle > 0 else "left"
     lit = f"lit from {abs(settings.light_angle):.0f}° to the {side}"
     return Frame(
-        (Panel("picture", "", WIDTH, HEIGHT, outputs["picture"], overlay=line),),
+        (Panel("picture", "", WIDTH, HEIGHT, outputs["picture"], line),),
         (),
         "Balls and boxes on a chequered floor, a test chart on the wall behind them; focused at "
         f"{format_number(focus, 1)} m with f/{settings.aperture:.1f}, {sharp}; {lit}.",

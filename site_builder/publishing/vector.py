@@ -80,9 +80,7 @@ def make_icons(root: Path) -> Mapping[str, bytes]:
     try:
         return _raster_icons(file.read_text(encoding="utf-8"))
     except ValueError as error:
-        raise BuildError(
-            [Diagnostic(path=ICON, line=1, message=f"{error}; legal: a drawing in SVG")]
-        ) from error
+        raise BuildError([Diagnostic(ICON, 1, f"{error}; legal: a drawing in SVG")]) from error
 
 
 @cached

@@ -40,12 +40,8 @@ def test_german_book_has_its_chapters_figures_and_all_question_kinds(german_book
 
 
 def test_german_book_ships_no_parts_of_this_book(site: Path) -> None:
-    ours = [
-        *SCENE_MODULES,
-        *LADDER_MODULES,
-        *illustrations(),
-        *(table.id for table in hard_cases()),
-    ]
+    tables = [table.id for table in hard_cases()]
+    ours = [*SCENE_MODULES, *LADDER_MODULES, *illustrations(), *tables]
     ids = re.compile(rf"""["'#/](?:figure-|ladder-|extremes-)?({"|".join(ours)})["'/]""")
     leaked = [
         f"{file.relative_to(site)}: {found[1]}"

@@ -120,12 +120,7 @@ def test_handle_that_would_fail_when_pulled_is_reported(
     diagnose: Diagnose, fields: dict[str, Any], says: str
 ) -> None:
     sound: Handle[Any] = Handle(
-        "h",
-        "plan",
-        "H",
-        drives=("k1",),
-        at=lambda _s, _o: (1.0, 1.0),
-        pull=lambda _s, _p: {"k1": 0},
+        "h", "plan", "H", ("k1",), at=lambda _s, _o: (1.0, 1.0), pull=lambda _s, _p: {"k1": 0}
     )
     (found,) = diagnose(handles=(replace(sound, **fields),))
     assert found.startswith("content/00-first.md:5: simulation 'demo' cannot be drawn: ")

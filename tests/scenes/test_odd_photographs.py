@@ -90,11 +90,8 @@ def walls(rng: np.random.Generator) -> Given:
         taken = photograph(rng.normal(light, noise, shape), number, exposure_s=0.1)
         with suppress(UnfitError):
             readings.append(Reading(number, taken.name, read(taken)))
-    return (
-        {"light": int(rng.integers(110)), "most": int(rng.integers(5, 100))},
-        None,
-        tuple(readings),
-    )
+    level, most = int(rng.integers(110)), int(rng.integers(5, 100))
+    return {"light": level, "most": most}, None, tuple(readings)
 
 
 def edges(rng: np.random.Generator) -> Given:

@@ -39,11 +39,9 @@ def pull(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"across": place[0] / 100, "along": place[1] / 100}
 
 
-POINT: Handle[Settings] = Handle(
-    "point", "plane", "Point", drives=("across", "along"), at=at, pull=pull
-)
+POINT: Handle[Settings] = Handle("point", "plane", "Point", ("across", "along"), at, pull)
 GROUND = replace(POINT, reach="drag")
-NAN = float("nan")
+NAN, RIGHT = float("nan"), {"kind": "right"}
 
 
 def scene_of(*handles: Handle[Settings]) -> Scene[Settings]:
@@ -87,7 +85,7 @@ def option(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def searched(drives: str, where: Any) -> Handle[Settings]:
-    return Handle("point", "plane", "Point", drives=(drives,), at=where)
+    return Handle("point", "plane", "Point", (drives,), where)
 
 
 @pytest.mark.parametrize(
@@ -95,16 +93,8 @@ def searched(drives: str, where: Any) -> Handle[Settings]:
     [
         (POINT, (112, 340), {"across": 1, "along": 3}),
         (POINT, (-50, 1e9), {"across": 0, "along": 9}),
-        (
-            replace(POINT, pull=lambda *_: {"across": float("nan"), "along": 6}),
-            (0, 0),
-            {"along": 6},
-        ),
-        (
-            replace(POINT, drives=("kind",), pull=lambda *_: {"kind": "right"}),
-            (0, 0),
-            {"kind": "right"},
-        ),
+        (replace(POINT, pull=lambda *_: {"across": NAN, "along": 6}), (0, 0), {"along": 6}),
+        (replace(POINT, drives=("kind",), pull=lambda *_: RIGHT), (0, 0), RIGHT),
         (searched("across", scale), (100 * 0.75**2, 0), {"across": 0.75}),
         (searched("across", scale), (-500, 0), {"across": 0.0}),
         (searched("across", scale), (1e9, 1e9), {"across": 1.75}),  # at 2 it has no place

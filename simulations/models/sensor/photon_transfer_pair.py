@@ -18,15 +18,7 @@ from simulations.models.sensor.photon_transfer import LEAST_VARIANCE_DN2
 TREND_TERMS = 6
 """Terms of a polynomial of second degree in x and y."""
 BESIDE = ((0, 1), (1, 0))
-LAGS = (
-    *BESIDE,
-    (1, 1),
-    (1, -1),
-    *((2, across) for across in range(-2, 3)),
-    (0, 2),
-    (1, 2),
-    (1, -2),
-)
+LAGS = (*BESIDE, (1, 1), (1, -1), *((2, aside) for aside in range(-2, 3)), (0, 2), (1, 2), (1, -2))
 """From a cell to half of the 24 around it; the others are opposite to these."""
 PILED = 0.05
 """Share of the pixels at the last code that occurs, from which on codes are clipped there: of noise

@@ -208,7 +208,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     size = WIDTH, HEIGHT
     return Frame(
         (
-            Panel("camera", "The material", *size, outputs["picture"], overlay=marks, lead=True),
+            Panel("camera", "The material", *size, outputs["picture"], marks, lead=True),
             Panel("lobe", "Where the light goes", *size, overlay=around),
             Panel("energy", "How much is reflected", *size, overlay=energy),
         ),

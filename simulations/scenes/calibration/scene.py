@@ -55,7 +55,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     raster, over, title = _raster(settings, outputs), _over(settings, outputs), "photograph"
     return Frame(
         (
-            Panel(title, "A photograph of the board", *picture, raster, overlay=over, lead=True),
+            Panel(title, "A photograph of the board", *picture, raster, over, lead=True),
             Panel("growth", "Focal length", *size, overlay=grown),
             Panel("detail", DETAILS[settings.detail], *size, overlay=detail),
         ),

@@ -96,7 +96,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
 def side_by_side(diagram: str, picture: Raster, marks: str) -> tuple[Panel, Panel]:
     title = "Light through the lens, not to scale"
     return (
-        Panel("picture", "What the camera sees", WIDTH, HEIGHT, picture, overlay=marks, lead=True),
+        Panel("picture", "What the camera sees", WIDTH, HEIGHT, picture, marks, lead=True),
         Panel("lens", title, WIDTH, HEIGHT, overlay=diagram),
     )
 

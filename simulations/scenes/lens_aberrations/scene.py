@@ -198,7 +198,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         (
             Panel("corner", title, *size, close, pixelated=True, lead=True),
             Panel("lens", "The light of that corner, from the side", *size, overlay=side),
-            Panel("picture", "The whole picture", *size, picture, overlay=frame),
+            Panel("picture", "The whole picture", *size, picture, frame),
         ),
         (
             readout("lateral", "Red to blue, corner", shifts[2] - shifts[0], "px", role="error"),

@@ -98,7 +98,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     bow, shift, fold = largest_bow_px(lens), corner_shift_px(lens), fold_radius(lens)
     return Frame(
         (
-            Panel("picture", "The photograph", *size, outputs["encoded"], overlay=over, lead=True),
+            Panel("picture", "The photograph", *size, outputs["encoded"], over, lead=True),
             Panel("grid", "A straight grid and its image", *size, overlay=drawn["grid"]),
             Panel("profile", "How far from the centre", *size, overlay=drawn["profile"]),
         ),

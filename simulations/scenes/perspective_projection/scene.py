@@ -81,7 +81,7 @@ def image_panel(view: Projection, raster: Raster) -> Panel:
             image_point(view) if view.visible else no_image(view),
         )
     )
-    return Panel("image", "The picture", WIDTH, HEIGHT, raster, overlay=overlay, lead=True)
+    return Panel("image", "The picture", WIDTH, HEIGHT, raster, overlay, lead=True)
 
 
 def axes() -> str:

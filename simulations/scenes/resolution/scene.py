@@ -184,7 +184,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 lead=True,
             ),
             Panel("subject", "A cat on the same piece of sensor", *SIZE, subject, pixelated=True),
-            Panel("spot", "The image of a point, on the pixels", *SIZE, close, overlay=over_spot),
+            Panel("spot", "The image of a point, on the pixels", *SIZE, close, over_spot),
             Panel("curves", title, *SIZE, overlay=plot),
         ),
         (

@@ -226,7 +226,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     title = f"Bounces: {BOUNCES[settings.bounces].lower()}"
     return Frame(
         (
-            Panel("picture", title, *size, outputs["picture"], overlay=marks(settings), lead=True),
+            Panel("picture", title, *size, outputs["picture"], marks(settings), lead=True),
             Panel("first", "The first bounce only", *size, outputs["first picture"]),
             Panel(
                 "profile",

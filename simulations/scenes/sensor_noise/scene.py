@@ -237,7 +237,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel("room", picture[0], *SIZE, picture[1], pixelated=True, lead=True),
-            Panel("wedge", title, *SIZE, outputs["picture"], overlay=frame, pixelated=True),
+            Panel("wedge", title, *SIZE, outputs["picture"], frame, pixelated=True),
             Panel("transfer", "Noise of every patch, against its light", *SIZE, overlay=plot),
         ),
         (

@@ -124,9 +124,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     title, loupe_title = "Lines over the picture", "Around the end moved last"
     return Frame(
         (
-            Panel("picture", title, *size, outputs["boxed"], overlay=over, lead=True),
-            Panel("field", "Where they meet", *size, outputs["wide"], overlay=around),
-            Panel("loupe", loupe_title, *size, outputs["loupe"], overlay=near, pixelated=True),
+            Panel("picture", title, *size, outputs["boxed"], over, lead=True),
+            Panel("field", "Where they meet", *size, outputs["wide"], around),
+            Panel("loupe", loupe_title, *size, outputs["loupe"], near, pixelated=True),
         ),
         numbers,
         f"A picture with {drawn}. {result}",

@@ -130,13 +130,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel(
-                "picture",
-                "The picture of an edge",
-                *SIZE,
-                picture,
-                overlay=over,
-                pixelated=True,
-                lead=True,
+                "picture", "The picture of an edge", *SIZE, picture, over, pixelated=True, lead=True
             ),
             Panel(
                 "crop",

@@ -138,16 +138,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     photograph, wide = outputs["picture"], outputs["wider"]
     return Frame(
         (
-            Panel(
-                "picture",
-                "What the camera sees",
-                WIDTH,
-                HEIGHT,
-                photograph,
-                overlay=over,
-                lead=True,
-            ),
-            Panel("plane", "The whole image plane", WIDTH, HEIGHT, wide, overlay=around),
+            Panel("picture", "What the camera sees", WIDTH, HEIGHT, photograph, over, lead=True),
+            Panel("plane", "The whole image plane", WIDTH, HEIGHT, wide, around),
         ),
         readouts(view, box),
         describe(settings, view),

@@ -166,7 +166,7 @@ def by_turns_panel(view: LampView, photo: Raster, right: bool) -> Panel:
     """One photograph in the place of the other."""
     pixel = view.right if right else view.left
     title = f"What the {'right' if right else 'left'} camera sees"
-    return Panel("turns", title, WIDTH, HEIGHT, photo, overlay=_lamp(view, pixel, right), lead=True)
+    return Panel("turns", title, WIDTH, HEIGHT, photo, _lamp(view, pixel, right), lead=True)
 
 
 def right_panel(view: LampView, photo: Raster) -> Panel:
@@ -181,9 +181,7 @@ def right_panel(view: LampView, photo: Raster) -> Panel:
         _disparity(view),
         _lamp(view, view.right, right=True),
     ]
-    return Panel(
-        "right", "Where the right camera sees it", WIDTH, HEIGHT, photo, overlay="".join(parts)
-    )
+    return Panel("right", "Where the right camera sees it", WIDTH, HEIGHT, photo, "".join(parts))
 
 
 def _lamp(view: LampView, pixel: Floats, right: bool) -> str:

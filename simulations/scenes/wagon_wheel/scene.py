@@ -176,7 +176,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     plot = "".join(track(per_frame, apparent * spokes / rate, sure, time))
     return Frame(
         (
-            Panel("film", "What the film shows", *SIZE, outputs["film"], overlay=over, lead=True),
+            Panel("film", "What the film shows", *SIZE, outputs["film"], over, lead=True),
             Panel("wheel", "The wheel, one spoke marked", *SIZE, overlay=now),
             Panel("track", "Where the spokes are, frame by frame", *SIZE, overlay=plot),
         ),

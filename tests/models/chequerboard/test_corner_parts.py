@@ -46,12 +46,8 @@ def test_blurred_corner_is_the_mean_product_of_two_signs(correlation: float) -> 
 def test_inner_corners_are_numbered_row_by_row() -> None:
     board = Board(10, 7, 25.0)
     assert board.corners == (9, 6)
-    assert board.points_mm[[0, 1, 9, -1]].tolist() == [
-        [0, 0, 0],
-        [25, 0, 0],
-        [0, 25, 0],
-        [200, 125, 0],
-    ]
+    some = board.points_mm[[0, 1, 9, -1]]
+    assert some.tolist() == [[0, 0, 0], [25, 0, 0], [0, 25, 0], [200, 125, 0]]
     assert np.array_equal(board.indices[9], [0, 1])
 
 

@@ -46,15 +46,7 @@ def shared_area(apart: float, a: float, b: float) -> float:
 @pytest.mark.parametrize("scale", [1e-60, 1.0, 1e60])
 @pytest.mark.parametrize(
     ("apart", "a", "b"),
-    [
-        (1, 1, 1),
-        (1e-5, 1, 1),
-        (1.999, 1, 1),
-        (4.2, 3, 2),
-        (1.5, 2, 3),
-        (4.9, 5, 0.5),
-        (1e4, 1, 1e4),
-    ],
+    [(1, 1, 1), (1e-5, 1, 1), (1.999, 1, 1), (4, 3, 2), (1.5, 2, 3), (4.9, 5, 0.5), (1e4, 1, 1e4)],
 )
 def test_overlap_of_two_discs_is_two_sectors_minus_a_kite(
     apart: float, a: float, b: float, scale: float

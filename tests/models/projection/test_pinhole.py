@@ -52,20 +52,15 @@ def test_only_points_in_front_have_a_pixel(
     assert found == pytest.approx(pixel, nan_ok=True)
 
 
+SLOPING = np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+
+
 @pytest.mark.parametrize(
     ("eye", "target", "up", "axes"),
     [
         ((0, 0, 0), (0, 0, 5), (0, -1, 0), np.eye(3)),
         ((0, 0, 0), (0, 0, 1), (0, 1e-8, 1), np.diag([-1, -1, 1])),  # almost along the view
-        *(
-            (
-                (0, 0, 0),
-                (0, 3 * size, 4 * size),
-                (0, -1, 0),
-                [[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]],
-            )
-            for size in (1e-200, 1e150)
-        ),
+        *(((0, 0, 0), (0, 3 * size, 4 * size), (0, -1, 0), SLOPING) for size in (1e-200, 1e150)),
     ],
 )
 def test_camera_looks_at_its_target_at_any_distance(
