@@ -103,7 +103,9 @@ export function searchSections(
   const isFound = (query: any) => search([query], "AND").length > 0;
   const known = exactly.map(isFound);
   const queries = words.map(({ whole }, place) =>
-    known[place] ? exactly[place] : (relatives(whole, language).find(isFound) ?? misspelt(whole)),
+    known[place]
+      ? exactly[place]
+      : ([...relatives(whole, language)].find(isFound) ?? misspelt(whole)),
   );
   const all = search(queries, "AND");
   const found = all.length > 0 ? all : search(queries, "OR");
