@@ -340,8 +340,12 @@ function startWorker(script: URL) {
   return new Worker(script, { type: "module" });
 }
 
-/** The worker that the page's head has started, once; then new ones. */
+/**
+ * The worker that the page's head has started, once; then new ones. In a frame without an origin only
+ * one from a blob starts.
+ */
 function takeEarlyWorker(script: URL) {
+  if (self.origin === "null") return startConfinedWorker(script);
   const page = globalThis as { earlyWorker?: Worker };
   const worker = page.earlyWorker ?? startWorker(script);
   delete page.earlyWorker;
