@@ -146,7 +146,10 @@ def _package(
     by_name = {name: id for id, name, _, _ in items}
     spine = ["title.xhtml", "nav.xhtml", *(f"{section.id}.xhtml" for section in composed.sections)]
     seconds = os.environ.get("SOURCE_DATE_EPOCH")
-    now = datetime.fromtimestamp(int(seconds), UTC) if seconds else datetime.now(UTC)
+    try:
+        now = datetime.fromtimestamp(int(seconds), UTC) if seconds else datetime.now(UTC)
+    except (ValueError, OverflowError) as error:
+        raise ValueError(f"SOURCE_DATE_EPOCH={seconds!r}; legal: seconds since 1970") from error
     package = render_template(
         "editions/epub-package.xml",
         composed.book,

@@ -53,6 +53,8 @@ def file_hash(file: Path | str) -> bytes | None:
     name = os.fspath(file)
     try:
         found = os.stat(name)  # noqa: PTH116  (asked of every file in every build)
+        if not stat.S_ISREG(found.st_mode):  # of a pipe or a device there is no end
+            return None
         state = (found.st_mtime_ns, found.st_size, found.st_ino)
         known = _known.get(name)
         if known and known[0] == state:

@@ -123,7 +123,7 @@ def advice(error: OSError) -> str:
     shut = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
     if not (full or shut):
         return ""
-    better = "make room" if full else "choose a folder that can be written, by --out"
+    better = "make room" if full else "make its folder writable, or choose another one by --out"
     return f"; what was built before is as it was; {better}, and build again"
 
 

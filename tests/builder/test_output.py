@@ -133,7 +133,7 @@ def test_site_in_a_read_only_folder_stays_and_the_message_gives_advice(
 ) -> None:
     with pytest.raises(PermissionError) as raised:
         write_site({**BOOK, "a": b"new", **more}, read_only_site)
-    assert "choose a folder that can be written, by --out" in advice(raised.value)
+    assert "--out" in advice(raised.value)
     assert {file.name: file.read_bytes() for file in read_only_site.iterdir()} == {
         **BOOK,
         "a": b"a",

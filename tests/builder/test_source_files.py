@@ -1,6 +1,7 @@
 """Files of a book: unreadable files, the lines of TOML keys, and invalid pictures and drawings."""
 
 import io
+import os
 import tomllib
 import zlib
 from collections.abc import Callable, Mapping
@@ -54,6 +55,8 @@ def link_to(target: str) -> Callable[[Path], object]:
         ({DATA: b"[" * 100_000}, f"{DATA}:1: malformed JSON: maximum"),
         ({DATA: b"9" * 5000}, f"{DATA}:1: malformed JSON: Exceeds"),
         ({CHAPTER: Path.mkdir}, f"{BOOK}:4: unknown chapter '00-first'; legal: 01-second"),
+        ({CHAPTER: FRONT + b"{cite}`key`\n", "content/references.bib": os.mkfifo},
+         f"{CHAPTER}:5: unknown work 'key'; legal:"),
         ({CHAPTER: FIGURE, "content/images/a.png": link_to("a.png")},
          f"{CHAPTER}:5: unknown picture file 'images/a.png'; "),
         ({CHAPTER: FIGURE, "content/images/a.png": link_to("/etc/hostname")},
