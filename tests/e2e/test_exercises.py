@@ -143,6 +143,8 @@ def test_names_are_completed_and_any_text_gets_a_reply_or_is_stopped(
         assert len(message) > len("Not yet. Try again."), body
         assert form.get_attribute("data-answered") == "wrong", body
     assert "Error" not in check(form, "def image_of(H, points):\n    return input()")
+    address = "import ctypes\ndef image_of(H, points):\n    return ctypes.string_at(0)"
+    assert "stopped" not in check(form, address)
     for text in TEXTS:
         assert len(check(form, text)) > len("Not yet. Try again."), text
     figure = reader.page.locator(f"#{FIGURE} simulation-figure")

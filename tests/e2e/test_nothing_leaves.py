@@ -210,6 +210,7 @@ HARMS = (
     "import json; json.JSONEncoder.encode = None; json.JSONDecoder.decode = None",
     "import sys; sys.setrecursionlimit(50); raise SystemExit",
     "import os; os._exit(0)",
+    "import gc; [found.clear() for found in gc.get_objects() if type(found) is dict]",
     "raise ValueError('\\x1b[31m' + 20_000_000 * 'x')",
 )
 

@@ -81,8 +81,14 @@ function freezeIntrinsics() {
   for (const found of objects) {
     const isInherited = [Object, Function, Error].some(({ prototype }) => found === prototype);
     if (isInherited || found instanceof Error) allowOverrides(found);
-    Object.freeze(found);
+    if (found !== Error) Object.freeze(found);
   }
+  // All of `Error`, but for a number that the interpreter raises before it reports its own end.
+  for (const key of Reflect.ownKeys(Error)) {
+    if (key === "stackTraceLimit") continue;
+    Object.defineProperty(Error, key, { configurable: false, writable: false });
+  }
+  Object.preventExtensions(Error);
   for (const name of names) {
     const { get, configurable } = Object.getOwnPropertyDescriptor(globalThis, name) ?? {};
     const fixed = get ? { configurable: false } : { configurable: false, writable: false };

@@ -117,7 +117,7 @@ self.onmessage = async ({ data }) => {
     const transfer = (reply.rasters ?? []).concat(reply.sound ?? []);
     send({ id, ok: true, ...reply }, { transfer });
   } catch (error) {
-    send({ id, ok: false, ...failureOf(error) });
+    send({ id, ok: false, ...failureOf(error, data.call) });
   } finally {
     stop(beats);
     if (data.picture?.mosaic) free(data.picture.mosaic.codes);
@@ -146,11 +146,14 @@ async function provideFor(
 /** An exception whose message is a sentence for the reader. */
 const UNFIT = /^simulations\.engine\.reading\.UnfitError: /;
 
+/** Calls that return a reader's exceptions: where they raise one, the interpreter is damaged. */
+const RETURNS_EXCEPTIONS: CallName[] = ["render_edited", "exercise"];
+
 /**
  * A Python exception leaves the interpreter intact, and so does a file that does not arrive; anything
  * else does not, and exhausted memory needs a new interpreter.
  */
-function failureOf(error: unknown) {
+function failureOf(error: unknown, call: CallName) {
   const raised = error instanceof Error && error.name === "PythonError";
   const missed = raised ? chunks?.missed : error;
   const text = fullErrorText(error).trim();
@@ -161,7 +164,8 @@ function failureOf(error: unknown) {
   if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
     return { error: printable(last), loadError: { kind: "memory" }, fatal: true };
   }
-  return { error: printable(last.replace(UNFIT, "")), fatal: !raised };
+  const fatal = !raised || RETURNS_EXCEPTIONS.includes(call);
+  return { error: printable(last.replace(UNFIT, "")), fatal };
 }
 
 /** The line of a traceback that names the exception, with what follows it. */
