@@ -5,7 +5,7 @@ Cutting takes seconds, hence a cache keyed by everything it depends on.
 
 import io
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from importlib.util import find_spec
 from itertools import groupby
 from pathlib import Path
@@ -96,6 +96,7 @@ class Face:
     """Installed package that carries the source."""
     source: str
     """Path of the source inside the package, or the folder."""
+    _: KW_ONLY
     family: str
     """Family name written into the cut face."""
     style: str
@@ -107,18 +108,26 @@ class Face:
 
 
 def _serif(file: str, cut: str, style: str, *extra_features: str) -> Face:
-    source, features = f"files/SourceSerifPro-{cut}.ttf", BASIC_FEATURES + extra_features
-    return Face(file, "font_source_serif_pro", source, "Book Serif", style, features=features)
+    package, source = "font_source_serif_pro", f"files/SourceSerifPro-{cut}.ttf"
+    features = BASIC_FEATURES + extra_features
+    return Face(file, package, source, family="Book Serif", style=style, features=features)
 
 
 def _sans(file: str, cut: str, style: str) -> Face:
     source = f"files/SourceSansPro-{cut}.ttf"
-    return Face(file, "font_source_sans_pro", source, "Book Sans", style)
+    return Face(file, "font_source_sans_pro", source, family="Book Sans", style=style)
 
 
 def _maths(file: str, characters: frozenset[int]) -> Face:
-    source, features = "fonts/STIXTwoMath-Regular.ttf", FORMULA_FEATURES
-    return Face(file, "ziamath", source, "Book Maths", "Regular", characters, features)
+    return Face(
+        file,
+        "ziamath",
+        "fonts/STIXTwoMath-Regular.ttf",
+        family="Book Maths",
+        style="Regular",
+        characters=characters,
+        features=FORMULA_FEATURES,
+    )
 
 
 FACES = (

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
@@ -32,6 +32,7 @@ class Licence:
     """Short name of the licence."""
     use: str
     """What the book does with it."""
+    _: KW_ONLY
     version: str = ""
     address: str = ""
     """Where its source is."""
@@ -63,7 +64,7 @@ def gather_licences(
         text = _packaged_text(DISTRIBUTION, "licenses/LICENSE")
         text = text[max(text.find("MIT License\n"), 0) :]  # what is before is of another book
         use = words("licences.engine")
-        licences.append(Licence(DISTRIBUTION, "MIT", use, engine_version(), text=text))
+        licences.append(Licence(DISTRIBUTION, "MIT", use, version=engine_version(), text=text))
     if versions.pyodide:
         licences += _of_the_runtime(versions, words)
     for each in book_packages:
@@ -90,7 +91,9 @@ def gather_licences(
 
 
 def _licence_of(package: Package, name: str, use: str, home: str) -> Licence:
-    return Licence(name, package.license, use, package.version, home, package.text)
+    return Licence(
+        name, package.license, use, version=package.version, address=home, text=package.text
+    )
 
 
 def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
@@ -99,12 +102,13 @@ def _of_the_runtime(versions: Versions, words: Words) -> Iterator[Licence]:
     psf = psf or _packaged_text("typing_extensions", "LICENSE")
     bsd = _packaged_text("numpy", "licenses/LICENSE.txt")
     use, home = words("licences.pyodide"), "https://github.com/pyodide/pyodide"
-    yield Licence("Pyodide", "MPL 2.0", use, versions.pyodide, home, mpl)
+    yield Licence("Pyodide", "MPL 2.0", use, version=versions.pyodide, address=home, text=mpl)
     name, use = words("licences.cpython_name"), words("licences.cpython")
     home = "https://www.python.org/"
-    yield Licence(name, "PSF License 2.0", use, versions.python, home, psf)
+    yield Licence(name, "PSF License 2.0", use, version=versions.python, address=home, text=psf)
     terms, use = words("licences.numpy_licence"), words("licences.numpy")
-    yield Licence("NumPy", terms, use, versions.numpy, "https://numpy.org/", bsd)
+    home = "https://numpy.org/"
+    yield Licence("NumPy", terms, use, version=versions.numpy, address=home, text=bsd)
 
 
 def _of_the_editor(packages: Sequence[Package], words: Words) -> Iterator[Licence]:
