@@ -34,7 +34,8 @@ const touched = new WeakSet();
 function installGestures() {
   document.addEventListener("click", handleClick);
   document.addEventListener("input", markTouched);
-  document.addEventListener("figure-rest", recordState);
+  document.addEventListener("figure-rest", clearMoved);
+  for (const type of ["change", "figure-rest"]) document.addEventListener(type, recordState);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
   for (const type of ["pointerover", "focusin"]) {
     document.addEventListener(type, highlight);
@@ -75,14 +76,19 @@ function markTouched(event: Event) {
   if (form) touched.add(form);
 }
 
-/** Keep what the reader has done in the address, once the figure rests. */
-async function recordState(event: Event) {
+function clearMoved(event: Event) {
   const figure = closestTo(event, "simulation-figure", HTMLElement);
-  const form = figure?.querySelector("form.controls");
   for (const each of figure ? withParts(figure) : []) {
     for (const readout of findAll(each, "[data-moved]", Element))
       readout.removeAttribute("data-moved");
   }
+}
+
+/** Keep what the reader has done in the address: once a control is let go, and what that or a handle
+ * has set, once the figure rests. */
+async function recordState(event: Event) {
+  const figure = closestTo(event, "simulation-figure", HTMLElement);
+  const form = figure?.querySelector("form.controls");
   if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
   const permalink = await import("./permalink.ts").catch(ignore); // else the address stays
   permalink?.record(figure, "replace");
