@@ -257,6 +257,7 @@ export class LiveFigure {
     const moved = isSlider(control) ? control.name : "";
     if (moved && !dragging) this.levels.settle(moved);
     this.#ask(event.timeStamp, moved, dragging && moved !== "");
+    if (!control) this.accuracy.measure(); // the menu of accuracies
   }
 
   #pressed(event: Event) {

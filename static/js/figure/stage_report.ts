@@ -73,6 +73,8 @@ export function countStages(stages: Stage[]) {
 export class Accuracy {
   /** The frame whose error is not yet measured. */
   #waiting: MeasuredFrame | null = null;
+  /** The frame that is shown, if it is of the level at rest. */
+  #shown: MeasuredFrame | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #near = false;
   /** Estimates written into the picture, by the name of their elements. */
@@ -115,8 +117,13 @@ export class Accuracy {
     this.#set("ms", milliseconds(ms));
     this.#set("value", "…");
     delete this.line?.dataset.judged;
-    if (shown.tier !== this.levels.rest) return;
-    this.#waiting = shown;
+    this.#shown = shown.tier === this.levels.rest ? shown : null;
+    this.measure();
+  }
+
+  /** Measure the frame that is shown: another tolerance needs no new frame. */
+  measure() {
+    this.#waiting = this.#shown;
     this.#rest();
   }
 
