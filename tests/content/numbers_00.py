@@ -16,7 +16,7 @@ def links_in_the_same_order_everywhere() -> Phrases:
     assert scene == "Scene"
     yield f"{SPELT[len(links)]} links lie between"
     text = (CONTENT / f"{CHAPTER}.md").read_text(encoding="utf-8").replace("&shy;", "")
-    prose, example = text.split(":::{example}")
+    prose, example, _ = text.split(":::{example}")
     for part, mark in ((prose, "\n\n**{}.** "), (prose, "\n| {} | "), (example, "\n**{}.** ")):
         places = [part.index(mark.format(link)) for link in links]
         assert places == sorted(places), mark

@@ -2,11 +2,9 @@
 
 import io
 import warnings
-from math import erf, sqrt
 
 import numpy as np
 from PIL import Image
-from scipy.stats import norm
 from support.worked_numbers import Phrases
 
 from simulations.engine.stages import StageCache
@@ -14,42 +12,16 @@ from simulations.models.arrays import Floats
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance
 from simulations.models.color.cie import D65_XY, rgb_to_xyz_matrix, xyz_to_lab, xyz_to_linear_rgb
-from simulations.models.sensor.photon_counting import ShotModel, shot_noise
 from simulations.scenes.jpeg import SCENE as JPEG
-from simulations.scenes.sensor_noise.sensor import PATCH_PX, patch_means_e, saturation_e, sensor_of
+from simulations.scenes.sensor_noise.sensor import patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
-
-
-WELL = 20_000.0
 
 
 def patches_burnt_out_at_iso_800() -> Phrases:
     burnt = patch_means_e(0.0) > saturation_e(sensor_of(12, "800", 10))
     assert burnt.sum() == 8
     yield "eight patches are burnt out"
-
-
-def gaussian_for_less_than_one_electron() -> Phrases:
-    mean = float(patch_means_e(-6.0)[-1])
-    yield f"light frees {mean:.2f} electrons in a cell on average"
-    below_zero = (1 - erf(sqrt(mean / 2))) / 2
-    assert 0.3 < below_zero < 0.36
-    yield "has a third of its area below zero"
-    one_e_dn = 1 / sensor_of(14, "6400", 0).gain_e_per_dn
-    z = norm.ppf((np.arange(400_000) + 0.5) / 400_000)
-    models: tuple[tuple[ShotModel, Floats, str], ...] = (
-        ("gaussian", 0 * z, "and over many takes {:.1f} DN"),
-        ("skewed", (z * z - 1) / 6, "lowers the mean to {:.1f} DN over many takes"),
-    )
-    for model, lean, words in models:
-        expected = np.maximum(np.rint(mean + sqrt(mean) * z + lean), 0).mean()
-        drawn = shot_noise(np.full(z.shape, mean), np.random.default_rng(0), WELL, model)
-        assert np.isclose(drawn.mean(), expected, atol=0.004)
-        yield words.format(expected * one_e_dn)
-    yield f"where {mean:.2f} electrons are {mean * one_e_dn:.1f} DN"
-    scatter = sqrt(mean / 2) / PATCH_PX * one_e_dn  # the mean is of two frames
-    yield f"The mean of a patch scatters by {scatter:.1f} DN"
 
 
 def patches_by_lamplight_and_by_daylight() -> Phrases:

@@ -81,17 +81,17 @@ def demosaicing_of_photographs() -> Phrases:
         np.median(gain, axis=1).round(1) + 0.0 for gain in (default - bilinear, encoded - default)
     )
 
-    def row(values: Floats) -> str:
-        *first, last = (f"{value:.1f}".replace("-", "−") for value in values)
-        return f"{', '.join(first)} and {last} dB"
+    def row(words: str, values: Floats) -> str:
+        cells = (f"{value:.1f}".replace("-", "−") for value in values)
+        return f"| {words} | {' | '.join(cells)} |"
 
     for other in (bilinear, malvar, menon):
         assert (np.median(other - default, axis=1) <= 0.1).all()
     yield "none is better on any of four photographs, by more than 0.1 dB"
-    yield f"On a screen the default gains {row(over[:, 1])} on plain"
-    yield f"which the next steps in a camera need, {row(over[:, 0])}"
-    yield f"The last tier gains another {row(beyond[:, 1])} on a screen"
-    yield f"in light it gains {row(beyond[:, 0])}"
+    yield row("default over bilinear, on a screen", over[:, 1])
+    yield row("the same, in light", over[:, 0])
+    yield row("last tier over default, on a screen", beyond[:, 1])
+    yield row("the same, in light", beyond[:, 0])
 
 
 def lanczos_on_single_pictures() -> Phrases:

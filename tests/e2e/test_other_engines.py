@@ -15,7 +15,7 @@ SCENE, CHAPTER = "lens-distortion", "lens-distortion/"
 FIGURE = f"#figure-{SCENE}"
 HANDLE, SLIDER = f"{FIGURE} [data-handle=point]", f"{FIGURE} input[name=k1]"
 PART, LINE = f"{FIGURE} .workshop-part", f"{FIGURE} .cm-line"
-QUESTION, PREDICTION = "#quiz-outward-bow", "#predict-corner-of-a-barrel"
+QUESTION, PREDICTION = "#quiz-corrected-too-far", "#predict-corner-of-a-barrel"
 ARROW_LEFT, ENTER, ESCAPE, HOME = "\ue012", "\ue007", "\ue00c", "\ue011"
 NAMES = ["Firefox", pytest.param("WebKitGTK", marks=pytest.mark.deep)]
 """WebKitGTK runs WebAssembly ten times as slowly."""
