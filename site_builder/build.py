@@ -25,7 +25,7 @@ from site_builder.benchmarks.measurements import read_measurements
 from site_builder.cache.results import cached_result
 from site_builder.checks.frames import check_data, check_frames
 from site_builder.checks.pictures import check_pictures
-from site_builder.checks.whole_book import check_book, check_first_passes, check_skeletons
+from site_builder.checks.whole_book import check_book, check_skeletons
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic
 from site_builder.document.book import Book
 from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
@@ -160,8 +160,6 @@ def check_loaded(loaded: LoadedBook, options: Options) -> CheckedBook:
         book, problems, prerendered=options.runtime and not options.reload
     )
     check_frames(book, initial_frames, static_files(options.root), problems)
-    if not problems:  # a figure that fails has no description to count
-        check_first_passes(book, describing(initial_frames), problems)
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
     if problems:

@@ -8,6 +8,7 @@ from simulations.engine.conditions import first_true
 from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
 from site_builder.checks.exercises import check_exercises
+from site_builder.checks.first_pass import check_first_passes
 from site_builder.diagnostics.diagnostic import Diagnostics, cause, nearest, unknown
 from site_builder.document.blocks import Option, Prediction, Quiz, Reveal, Simulation, contents
 from site_builder.document.book import OUTLINE, Book, Chapter
@@ -21,7 +22,7 @@ from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.terms import BOOK, GLOSSARY
 from site_builder.references.terms import SYMBOLS as FILE
-from site_builder.render.words import Describe, plain_words, reading_minutes
+from site_builder.render.words import plain_words
 
 STANDS_OUT = 1.4
 """How many times as long as the longest wrong answer a key may be, or the shortest wrong answer as
@@ -59,6 +60,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
         _check_reveals(chapter, problems)
         _check_figure_questions(chapter, problems)
         check_exercises(chapter, problems)
+    check_first_passes(book, problems)
     _check_needs(book, problems)
     _check_key_lengths(book, problems)
     _check_cited(book, problems)
@@ -66,16 +68,6 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     _check_term_order(book, problems)
     _check_symbols(book, problems)
     _check_links(book, problems)
-
-
-def check_first_passes(book: Book, describe: Describe, problems: Diagnostics) -> None:
-    """Report first passes that take longer than the book allows."""
-    most = book.settings.first_pass
-    for chapter in book.chapters:
-        minutes = reading_minutes(chapter.first_pass, describe)
-        if minutes > most > 0:
-            expected = f"at most {most}, with '{{.deeper}}' behind the headings of other sections"
-            problems.add(chapter.path, 1, f"a first pass of {minutes} minutes; legal: {expected}")
 
 
 def check_skeletons(sources: Sources, book: Book) -> None:

@@ -27,6 +27,7 @@ from site_builder.document.places import (
     Need,
     Passage,
     Position,
+    Reference,
     Target,
     TermUse,
 )
@@ -63,6 +64,8 @@ class Chapter:
     citations: tuple[Citation, ...] = ()
     term_uses: tuple[TermUse, ...] = ()
     """In the order of the page."""
+    references: tuple[Reference, ...] = ()
+    """Roles ``ref`` and ``set``, and the figures of questions and parts."""
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
     """Formulae of text and questions, in the order in which they were read."""

@@ -125,6 +125,18 @@ class Target:
     """``Chapter 4``, ``Figure 4.2``, ``Equation (4.7)``; a section's words, in quotes."""
     counted: bool = False
     """Whether its id ends in a number that depends on the order of the page."""
+    deeper: bool = False
+    """Whether it stands in a section beyond the first pass."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """A place in the text that names a target."""
+
+    target: Target
+    section: str
+    """Element id of the heading above it; nothing before a chapter's first."""
+    line: int
 
 
 @dataclass(frozen=True, slots=True)

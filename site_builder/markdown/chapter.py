@@ -13,7 +13,7 @@ from markdown_it.token import Token
 
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.book import Chapter
-from site_builder.document.places import Formula, Need, Target, Targets
+from site_builder.document.places import Formula, Need, Reference, Target, Targets
 from site_builder.files.text import CONTROL, control_character_message
 from site_builder.markdown.annotation import annotate, inline_passage
 from site_builder.markdown.block_tree import read_page
@@ -219,14 +219,22 @@ def read_chapter(parsed: ParsedChapter, targets: Targets) -> Chapter:
         links=tuple(context.links),
         citations=tuple(context.citations),
         term_uses=tuple(context.term_uses),
+        references=tuple(
+            Reference(target, _section_at(line, parsed), line)
+            for target, line in context.references
+        ),
         index_marks=tuple(context.index_marks),
-        formulae=tuple(_formula(*found, parsed) for found in context.formulae),
+        formulae=tuple(
+            Formula(tex, line, _section_at(line, parsed), displayed=displayed)
+            for line, tex, displayed in context.formulae
+        ),
         before=before,
         after=after,
         figures=tuple(place.id for place in context.figures),
     )
 
 
-def _formula(line: int, tex: str, displayed: bool, parsed: ParsedChapter) -> Formula:
+def _section_at(line: int, parsed: ParsedChapter) -> str:
+    """Element id of the heading above a line; nothing before the first."""
     above = [item.id for item in parsed.inside if item.kind == "Section" and item.line <= line]
-    return Formula(tex, line, above[-1] if above else "", displayed=displayed)
+    return above[-1] if above else ""

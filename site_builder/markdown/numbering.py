@@ -188,6 +188,7 @@ class _Numbering:
             title=text,
             line=line,
             name=shown,
+            deeper=self.folded > 0,
         )
         closing.meta["target"] = target
         self.targets.append(target)
@@ -252,6 +253,7 @@ class _Numbering:
             labelled=labelled,
             name=shown,
             counted=counted,
+            deeper=self.folded > 0,
         )
         self.targets.append(target)
         return target

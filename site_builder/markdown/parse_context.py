@@ -105,6 +105,8 @@ class ParseContext:
     """Chapters that the page has named with their titles."""
     citations: list[Citation] = field(default_factory=list)
     term_uses: list[TermUse] = field(default_factory=list)
+    references: list[tuple[Target, int]] = field(default_factory=list)
+    """Targets that the text names, each with the line of that."""
     index_marks: list[IndexMark] = field(default_factory=list)
     formulae: list[tuple[int, str, bool]] = field(default_factory=list)
     """Line and TeX of each, and whether it is displayed."""
@@ -135,7 +137,9 @@ class ParseContext:
         places = {place.id.removeprefix("figure-"): place for place in self.figures}
         found = places.get(name.removeprefix("figure-"))
         if found:
-            self.warn_of_count(self.placed[found.lines[0]], line)
+            target = self.placed[found.lines[0]]
+            self.warn_of_count(target, line)
+            self.references.append((target, line))
         else:
             self.problem(line, unknown("figure", name, places))
         return found

@@ -2,7 +2,6 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
 from pathlib import Path
 
 from markupsafe import Markup
@@ -10,14 +9,14 @@ from markupsafe import Markup
 from site_builder.benchmarks.quoted_numbers import read_level_costs
 from site_builder.document.blocks import Block, Simulation, contents
 from site_builder.document.book import OUTLINE, Book, Chapter
-from site_builder.figures.initial_frames import InitialFrames, describing
+from site_builder.figures.initial_frames import InitialFrames
 from site_builder.pages.embeds import EMBED_FOLDER
 from site_builder.pages.environment import book_context, template_environment
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.references.terms import GLOSSARY, SYMBOLS
+from site_builder.render.minutes import count_programs, reading_minutes
 from site_builder.render.screen import paper_renderer
-from site_builder.render.words import reading_minutes
 from site_builder.settings.declared import PATH
 from site_builder.sources.outline import LECTURE_PLAN
 
@@ -142,7 +141,8 @@ def render_page(
         "simulation_view": simulation_view,
         "paper": rows is not None,
         "rows": rows or {},
-        "minutes_of": partial(reading_minutes, describe=describing(site.initial_frames)),
+        "minutes_of": reading_minutes,
+        "programs_in": count_programs,
     }
     return environment.get_template(template).render(
         shared,

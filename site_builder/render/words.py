@@ -110,9 +110,6 @@ class SectionText:
     def text(self, channel: Channel) -> str:
         return " ".join("".join(self.texts.get(channel, ())).split())
 
-    def count_words(self) -> int:
-        return sum(len(text.split()) for text in (self.title, *map(self.text, self.texts)))
-
 
 def sections_of(
     blocks: Iterable[Block], describe: Describe, first: SectionText | None = None
@@ -121,16 +118,6 @@ def sections_of(
     reader = _SectionReader(describe, [first or SectionText("")])
     reader.read(blocks)
     return reader.finished()
-
-
-WORDS_A_MINUTE = 180
-"""Words a minute in a text with formulae, read with care."""
-
-
-def reading_minutes(blocks: Iterable[Block], describe: Describe) -> int:
-    """Minutes for their text, captions and questions, without their figures."""
-    words = sum(section.count_words() for section in sections_of(blocks, describe))
-    return max(1, round(words / WORDS_A_MINUTE))
 
 
 def chapter_sections(chapter: Chapter, describe: Describe) -> tuple[SectionText, ...]:

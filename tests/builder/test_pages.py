@@ -27,7 +27,7 @@ from site_builder.diagnostics.diagnostic import BuildError
 from site_builder.markdown.content_files import picture_size
 from site_builder.output.writer import Content, content_bytes
 from site_builder.pages.licences import gather_licences
-from site_builder.render.words import reading_minutes
+from site_builder.render.minutes import reading_minutes
 from site_builder.runtime.store import VERSIONS
 
 BOOK = "content/book.toml"
@@ -178,10 +178,25 @@ def test_size_of_a_picture_file_is_read(
     assert picture_size(photograph) == (5, 3)
 
 
-def test_reading_time_of_540_words_is_three_minutes(make_book: MakeBook) -> None:
-    text = "word " * 540
+@pytest.mark.parametrize(
+    ("text", "minutes"),
+    [
+        ("word " * 540, 3),
+        ("$x$ " * 75, 3),
+        ("$$x = 1$$\n\n" * 12, 3),
+        (":::{simulation} demo\n:::\n\n" * 2, 3),
+        (":::{predict} a\nNow?\n- [x] A\n  : So.\n- [ ] B\n  : No.\n:::\n\n" + "word " * 180, 2),
+    ],
+)
+def test_reading_time_counts_words_formulae_figures_and_questions(
+    make_book: MakeBook, text: str, minutes: int
+) -> None:
     book, *_ = check_site(make_book(text))
-    assert reading_minutes(book.chapters[0].body, lambda _figure: "") == 3
+    assert reading_minutes(book.chapters[0].body) == minutes
+
+
+def test_first_pass_beyond_its_minutes_is_refused(make_book: MakeBook) -> None:
+    text = "word " * 540
     outline = {"content/book.toml": f"first_pass = 2\n{OUTLINE}"}
     with pytest.raises(BuildError, match="a first pass of 3 minutes; legal: at most 2"):
         check_site(make_book(text, files=outline))

@@ -90,6 +90,7 @@ def reference(words: str, given: str | None, line: int, context: ParseContext) -
         target = context.targets.find(words if given is None else given, context.chapter)
         chapter = context.targets.chapters[target.chapter]
         context.warn_of_count(target, line)
+        context.references.append((target, line))
         if given is None:
             name = _name(target, chapter, context)
             return Linked(_attributes(target, chapter, context), lambda _: name)

@@ -60,7 +60,9 @@ def _find_figure(name: str, line: int, context: ParseContext) -> FigurePlace | N
         context.problem(line, "{set} on a page without a figure; legal: on the page of a figure")
         return None
     if not name:
-        return min(context.figures, key=lambda place: place.distance(line))
+        nearest = min(context.figures, key=lambda place: place.distance(line))
+        context.references.append((context.placed[nearest.lines[0]], line))
+        return nearest
     return context.find_figure(name, line)
 
 
