@@ -14,6 +14,7 @@ from site_builder.files.text import CONTROL, control_character_message
 from site_builder.markdown.text.tokens import children_located
 
 NOT_KEPT = "may change; better: '{ref}`TARGET`', or a citation"
+NO_ID = "means nothing here; legal: ':label: name' in a directive, '(name)=' above a heading"
 SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
@@ -38,8 +39,9 @@ SLIPS = tuple(
         ),
         (r"(\+\+[^+\s](?:[^+\n]*[^+\s])?\+\+)", "means nothing here; legal: '*…*'"),
         (r"(?<=\S )(:[a-z][a-z_]+:)(?![\w:/])", "means nothing here; legal: the sign itself"),
+        (r"((?<!\\)\{#[\w:.-]+\})", NO_ID),
         (
-            r"(\{\{[^}\n]*\}\}|(?<!\\)\{(?:#|\.[\w:-])[^}\n]*\}?"
+            r"(\{\{[^}\n]*\}\}|(?<!\\)\{(?:#(?![\w:.-]+\})|\.[\w:-])[^}\n]*\}?"
             r"|~~[^~\s][^~\n]*~~|==[^=\s](?:[^=\n]*[^=\s])?==|\[\[[^\]\n]+\]\]|\[!\w+\]"
             r"|&[A-Za-z][A-Za-z0-9]+;)",
             "means nothing here; legal: CommonMark, directives and roles",
@@ -57,7 +59,7 @@ TYPED_NUMBER = re.compile(
 UNOPENED = (*NOT_OPENED, *UNREAD, *TARGETS)
 NO_LABEL = "labels nothing; legal: above a heading, a formula or a figure"
 NO_DIRECTIVE = "is no directive; legal: ':::{name} argument'"
-FOLLOWS = {NO_DIRECTIVE: UNOPENED, NO_LABEL: TARGETS}
+FOLLOWS = {NO_DIRECTIVE: UNOPENED, NO_ID: TARGETS, NO_LABEL: TARGETS}
 LINE_SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
