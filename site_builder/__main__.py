@@ -17,7 +17,7 @@ from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json,
 from site_builder.diagnostics.progress import say, show_progress
 from site_builder.document.book import Book
 from site_builder.files.engine import engine_version
-from site_builder.files.folders import replace_file
+from site_builder.files.folders import folder_hash, replace_file
 from site_builder.output.writer import advice, write_site
 from site_builder.photographs import prepare_photographs
 from site_builder.pool.loading import read_figures
@@ -76,6 +76,8 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             if given.wait:
                 source_hash("site_builder.build")  # cached, for when a line comes
                 read_figures()
+                for folder in (ROOT / "content", ROOT / "simulations", given.out):
+                    folder_hash(folder)  # of files that will not have changed by then
                 if not sys.stdin.readline():
                     return 0  # the server has ended
             options = Options(

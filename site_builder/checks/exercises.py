@@ -13,7 +13,7 @@ from simulations.registry import load_ladder
 from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import Quiz
-from site_builder.document.book import Chapter
+from site_builder.document.book import Book, Chapter
 from site_builder.files.folders import folder_hash
 from site_builder.markdown.questions.code.kind import CodeTask
 from site_builder.pool.processes import run_in_pool
@@ -21,14 +21,23 @@ from site_builder.pool.processes import run_in_pool
 COMPARED = "equal answers, or an 'assert' behind the cases that compares the two"
 
 
-def check_exercises(chapter: Chapter, problems: Diagnostics) -> None:
-    for quiz in chapter.quizzes:
-        if isinstance(quiz.details, CodeTask):
-            for line, message in _faults(quiz, quiz.details, chapter):
-                problems.add(quiz.path, line, f"exercise {quiz.id!r}: {message}")
+def check_exercises(book: Book, problems: Diagnostics) -> None:
+    found = [
+        (chapter, quiz)
+        for chapter in book.chapters
+        for quiz in chapter.quizzes
+        if isinstance(quiz.details, CodeTask)
+    ]
+    folders = map(Path, simulations.__path__) if found else ()
+    sources = tuple(folder_hash(folder, "*.py") for folder in folders)
+    for chapter, quiz in found:
+        for line, message in _faults(quiz, quiz.details, chapter, sources):
+            problems.add(quiz.path, line, f"exercise {quiz.id!r}: {message}")
 
 
-def _faults(quiz: Quiz, task: CodeTask, chapter: Chapter) -> list[tuple[int, str]]:
+def _faults(
+    quiz: Quiz, task: CodeTask, chapter: Chapter, sources: tuple[bytes, ...]
+) -> list[tuple[int, str]]:
     figures = [figure.id for figure in chapter.simulations]
     if task.figure and task.figure not in (*figures, *chapter.figures):
         return [(quiz.line, unknown("figure of this page", task.figure, figures))]
@@ -36,7 +45,6 @@ def _faults(quiz: Quiz, task: CodeTask, chapter: Chapter) -> list[tuple[int, str
         tiers = [tier.id for tier in task.measured.ladder.tiers]
         if task.exercise.tier not in tiers:
             return [(quiz.line, unknown("tier", task.exercise.tier, tiers))]
-    sources = tuple(folder_hash(Path(path), "*.py") for path in simulations.__path__)
     found = _find_faults(task.exercise, task.starter, sources)
     return [(quiz.line if at is None else task.lines[at], message) for at, message in found]
 

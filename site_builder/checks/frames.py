@@ -11,10 +11,11 @@ from simulations.engine.frame import ROLES as COLOUR_ROLES
 from simulations.engine.frame import Panel
 from simulations.engine.scene import Scene
 from site_builder.cache.hashing import module_of
+from site_builder.cache.results import cached
 from site_builder.checks.pictures import Label, read_overlay
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import walk
-from site_builder.document.book import Book
+from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Passage
 from site_builder.editor.scene_code import formula_fault
 from site_builder.figures.initial_frames import InitialFrames
@@ -68,13 +69,23 @@ def check_frames(
             pixels = picture.width * picture.height if picture else 0
             _check(scene.id, panel, pixels, known, (path, line), problems, module_of(scene) or "")
     for chapter in book.chapters:
+        for line, text in _unshown(chapter):
+            problems.add(chapter.path, line, f"{text!r}; {NOT_SHOWN}")
         for block in walk(chapter.body):
             line = block.target.line if block.target else 1
-            for text in filter(CONTROL.search, _texts(block.content)):
-                problems.add(chapter.path, line, f"{text!r}; {NOT_SHOWN}")
             if isinstance(block.content, DrawnIllustration):
                 for panel in block.content.illustration.panels:
                     _check("illustration", panel, 0, known, (chapter.path, line), problems)
+
+
+@cached
+def _unshown(chapter: Chapter) -> list[tuple[int, str]]:
+    """Texts of its blocks that no page can show, with the lines of the blocks."""
+    return [
+        (block.target.line if block.target else 1, text)
+        for block in walk(chapter.body)
+        for text in filter(CONTROL.search, _texts(block.content))
+    ]
 
 
 def _texts(value: object) -> Iterator[str]:

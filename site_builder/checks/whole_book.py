@@ -7,6 +7,7 @@ from pathlib import Path, PurePosixPath
 from simulations.engine.conditions import first_true
 from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
+from site_builder.cache.results import cached
 from site_builder.checks.exercises import check_exercises
 from site_builder.checks.first_pass import check_first_passes
 from site_builder.diagnostics.diagnostic import Diagnostics, cause, nearest, unknown
@@ -59,7 +60,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
             problems.add(chapter.path, 1, "no text; legal: some below the front matter")
         _check_reveals(chapter, problems)
         _check_figure_questions(chapter, problems)
-        check_exercises(chapter, problems)
+    check_exercises(book, problems)
     check_first_passes(book, problems)
     _check_needs(book, problems)
     _check_key_lengths(book, problems)
@@ -220,7 +221,7 @@ def _check_symbols(book: Book, problems: Diagnostics) -> None:
     used: set[int] = set()
     for chapter in book.chapters:
         expected = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
-        for tex, formula in _first_uses(chapter):
+        for tex, formula in _first_uses(chapter).items():
             covering = [item for name, item in expected if covers(name, tex)]
             used |= {item.symbol.line for item in covering}
             if not covering and tex not in UNDECLARED:
@@ -241,13 +242,11 @@ def _check_symbols(book: Book, problems: Diagnostics) -> None:
                 problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
 
 
-def _first_uses(chapter: Chapter) -> Iterator[tuple[str, Formula]]:
-    seen: set[str] = set()
-    for formula in chapter.formulae:
-        for symbol in symbols_of(formula.tex):
-            if symbol not in seen:
-                seen.add(symbol)
-                yield symbol, formula
+@cached
+def _first_uses(chapter: Chapter) -> dict[str, Formula]:
+    """By symbol."""
+    uses = ((symbol, formula) for formula in chapter.formulae for symbol in symbols_of(formula.tex))
+    return dict(reversed([*uses]))
 
 
 def _skeleton_paths(root: Path, book: Book) -> Iterator[str]:

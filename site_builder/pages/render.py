@@ -93,8 +93,8 @@ def _chapter_pages(book: Book) -> Iterator[tuple[Chapter, dict[str, Any]]]:
 
 def _renderer(site: Site, follows: Sequence[tuple[str, str]]) -> Callable[..., bytes]:
     """Makes the pages of a site, whose contents list what ``follows`` the chapters. Those of
-    chapters are cached by what all share and what they are given; their initial frames follow from
-    their figures."""
+    chapters and listings are cached by what all share and what they are given; their initial frames
+    follow from their figures."""
     shared = replace(site, root=Path(), book=_cards_only(site.book), initial_frames={})
     shared_hash = hash_of(shared, follows, *(folder_hash(folder, "*.html") for folder in FOLDERS))
     seen = replace(shared, initial_frames=site.initial_frames)
@@ -106,9 +106,8 @@ def _renderer(site: Site, follows: Sequence[tuple[str, str]]) -> Callable[..., b
             html = render_page(seen, template, root, path, back_matter=follows, **context)
             return html.encode()
 
-        chapter = context.get("chapter")
-        if not isinstance(chapter, Chapter):
-            return make()
+        if not (template == "source.html" or isinstance(context.get("chapter"), Chapter)):
+            return make()  # sooner than what it shows of all chapters is hashed
         return cached_result("page", (shared_hash, template, path, context), make)
 
     return render

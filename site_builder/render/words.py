@@ -4,12 +4,13 @@ words, section by section, as the search sees it.
 Answers, and what is hidden until a guess, are left out of sections.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from xml.etree import ElementTree
 
 from markdown_it.token import Token
 
+from site_builder.cache.results import cached
 from site_builder.document.blocks import Block, Deeper, Prose, Simulation
 from site_builder.document.book import Book, Chapter
 from site_builder.document.places import Channel, Passage
@@ -122,6 +123,16 @@ def sections_of(
 
 def chapter_sections(chapter: Chapter, describe: Describe) -> tuple[SectionText, ...]:
     """With the chapter's title and summary at the head of the first."""
+    return _chapter_sections(chapter, _descriptions(chapter, describe))
+
+
+def _descriptions(chapter: Chapter, describe: Describe) -> dict[str, str]:
+    return {figure.id: describe(figure) for figure in chapter.simulations}
+
+
+@cached
+def _chapter_sections(chapter: Chapter, descriptions: Mapping[str, str]) -> tuple[SectionText, ...]:
+    describe: Describe = lambda figure: descriptions[figure.id]  # noqa: E731
     first = SectionText("", chapter.title, texts={"text": [f"{chapter.summary} "]})
     return sections_of(chapter.body, describe, first)
 

@@ -104,7 +104,8 @@ def _targets_state(targets: Targets) -> bytes:
     """Hash of what a chapter can show of others: not on which line that stands."""
 
     def visible_parts(target: Target) -> tuple[object, ...]:
-        return target.kind, target.chapter, target.id, target.number, target.title, target.labelled
+        place = target.kind, target.chapter, target.id, target.number, target.title
+        return *place, target.labelled, target.deeper
 
     inside = {
         chapter: [visible_parts(one) for one in found] for chapter, found in targets.inside.items()
@@ -133,7 +134,8 @@ def read_book(
         raise BuildError(problems.found)
     settings, words = outline.settings, outline.words
     shared = _read_shared(sources, outline, load_scene, measurements)
-    pages = list(_list_pages(outline, shared, sources))
+    state_of = _states(sources.root, outline)
+    pages = list(_list_pages(outline, shared, sources, state_of))
     targets = find_targets([page.chapter_targets() for page in pages], problems)
     known = _targets_state(targets)
     check_addresses(outline, problems)
@@ -143,8 +145,15 @@ def read_book(
     formulae = {tex for page in pages for tex in FORMULA.findall(page.text)}
     with counting("formulae", len(formulae)):
         chapters = tuple(page.read(targets, known, problems) for page in pages)
-    glossary = ParseContext(path=GLOSSARY, shared=shared, problems=problems, targets=targets)
-    symbols = ParseContext(path=SYMBOLS, shared=shared, problems=problems, targets=targets)
+
+    def beside[T](path: str, read: Callable[[ParseContext], T]) -> T:
+        """What a file beside the chapters says."""
+
+        def make(own: Diagnostics) -> T:
+            return read(ParseContext(path=path, shared=shared, problems=own, targets=targets))
+
+        return cached_reading(path, (state_of(path), known, shared.load_scene), problems, make)
+
     return Book(
         title=settings.title,
         subtitle=settings.subtitle,
@@ -161,8 +170,13 @@ def read_book(
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(sources, targets),
         search_words=tuple(read_search_words(sources, targets)),
-        glossary=read_definitions(glossary),
-        symbols=read_meanings(read_symbols(sources), symbols),
+        glossary=beside(GLOSSARY, read_definitions),
+        symbols=beside(
+            SYMBOLS,
+            lambda context: read_meanings(
+                read_symbols(Sources(sources.root, context.problems)), context
+            ),
+        ),
     )
 
 
@@ -194,9 +208,11 @@ def _read_shared(
     )
 
 
-def _list_pages(outline: Outline, shared: Shared, sources: Sources) -> Iterator[ChapterSource]:
+def _list_pages(
+    outline: Outline, shared: Shared, sources: Sources, state_of: Callable[[str], bytes]
+) -> Iterator[ChapterSource]:
     """The chapters' files."""
-    problems, state_of = sources.problems, _states(sources.root, outline)
+    problems = sources.problems
     for name, line, position in outline.chapters:
         path = f"content/{name}.md"
         if not sources.has(path):
