@@ -10,12 +10,13 @@ from simulations.engine.controls import KINDS as CONTROLS
 from site_builder.cache.results import cached_result
 from site_builder.document.blocks import Question, contents
 from site_builder.document.book import Book
+from site_builder.figures.drawn_pictures import pictures_in
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files.engine import ENGINE, static_files
 from site_builder.files.folders import file_hash, folder_files, integrity
 from site_builder.files.text import Sources
 from site_builder.markdown.content_files import PICTURES, picture_size
-from site_builder.markdown.directives.pictures import PictureFile
+from site_builder.markdown.directives.pictures import DrawnIllustration, PictureFile
 from site_builder.markdown.questions.kind import HERE as QUESTION_FOLDER
 from site_builder.markdown.questions.kinds import KINDS as QUESTIONS
 from site_builder.markdown.questions.kinds import kind_of
@@ -117,7 +118,7 @@ def gather_assets(
             if not name.startswith(("css/", "js/", "../"))
         },
         **{f"fonts/{name}": data for name, data in subset_fonts().items()},
-        **{f"stills/{name}": data for name, data in pictures.items()},
+        **{f"stills/{name}": data for name, data in {**pictures, **_drawn(book)}.items()},
         **{
             f"content/{name}": scaled_picture(file, widths.get(name, COLUMN_PX))
             for name, file in content.items()
@@ -130,6 +131,16 @@ def gather_assets(
     else:
         folder, files = hashed_folder("assets", files)
     return Assets(folder, files, scripts.at_once)
+
+
+def _drawn(book: Book) -> dict[str, bytes]:
+    """The pictures of illustrations."""
+    found: dict[str, bytes] = {}
+    for chapter in book.chapters:
+        for drawn in contents(chapter.body, DrawnIllustration):
+            for panel in drawn.illustration.panels:
+                found |= pictures_in(panel.overlay)
+    return found
 
 
 COLUMN_PX = 700.0

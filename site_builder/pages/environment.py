@@ -13,6 +13,7 @@ from markupsafe import Markup
 from site_builder.benchmarks.judgements import milliseconds, quantity
 from site_builder.document.book import Book
 from site_builder.document.places import Passage
+from site_builder.figures.drawn_pictures import with_files
 from site_builder.files.folders import SIZE, address_of, bytes_hash, cache_folder, replace_file
 from site_builder.markdown.questions.kind import HERE as QUESTION_KINDS
 from site_builder.markdown.questions.kinds import kind_of
@@ -50,6 +51,7 @@ FOLDERS = (TEMPLATES, QUESTION_KINDS.parent, CONTROL_KINDS.parent)
 """Where templates lie: those of kinds in the folders of these."""
 FILTERS: Mapping[str, Callable[..., object]] = {
     "address": address_of,
+    "with_files": with_files,
     "kind": kind_of,
     "kind_view": kind_view,
     "question_data": question_data,
