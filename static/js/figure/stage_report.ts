@@ -9,6 +9,7 @@ import { setText, withUnit } from "../page/text.ts";
 import { messageText, parseNumber, numeral, words, type Message } from "../page/words.ts";
 import type { Readout } from "../runtime/messages.ts";
 import type { FigureLevels } from "./levels.ts";
+import { withParts } from "./parts.ts";
 
 export type Stage = { name: string; status: "computed" | "reused" | "skipped"; reason: Reason };
 
@@ -137,9 +138,13 @@ export class Accuracy {
     return this.#near && (this.report?.open || this.#hasTimes);
   }
 
-  /** Whether the picture has room for times. */
+  /** Whether the picture, or that of a part, has room for times. */
   get #hasTimes() {
-    return !!this.figure.querySelector("[data-estimate]");
+    return this.#places("[data-estimate]").length > 0;
+  }
+
+  #places(selector: string) {
+    return withParts(this.figure).flatMap((figure) => findAll(figure, selector, SVGElement));
   }
 
   stop() {
@@ -251,7 +256,7 @@ export class Accuracy {
 
   /** Write a number where the picture has room for it. */
   #writeInPicture(name: string, text: string) {
-    const places = this.figure.querySelectorAll(`[data-estimate="${CSS.escape(name)}"]`);
+    const places = this.#places(`[data-estimate="${CSS.escape(name)}"]`);
     for (const place of places) setText(place, numeral(text));
     if (places.length) this.#written.set(name, text);
     return places.length > 0;
