@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
+from typing import Protocol
 
 import numpy as np
 
@@ -13,7 +14,6 @@ from simulations.models.light.reflectance import blinn_phong
 from simulations.pictures.patterns import NARROWEST, stripes
 from simulations.world import light
 from simulations.world.furniture import BOUNCE, SKY, WALLS
-from simulations.world.light_maps import LightMap
 from simulations.world.still_life import SceneObject
 from simulations.world.surfaces import STRIPES_AXIS
 from simulations.world.tracing import (
@@ -137,7 +137,23 @@ class Samples:
         )
 
 
-def radiance(samples: Samples, arriving: LightMap, lighting: Lighting) -> Planes:
+class ArrivingLight(Protocol):
+    """The light that the objects leave visible."""
+
+    @property
+    def bounds(self) -> Floats:
+        """(walls, 2, 2) from and to, along u and v: the part of each wall that is not in full
+        light."""
+
+    def on_flat(self, surface: Numbers, points: Floats, normals: Floats, /) -> Floats:
+        """Shares (2, n) of the lamp and of the surroundings at points (3, n) of flat surfaces (n,)
+        or (1,), with normals (3, n) or (3, 1)."""
+
+    def on_ball(self, surface: Numbers, points: Floats, normals: Floats, /) -> Floats:
+        """The same at points of balls."""
+
+
+def radiance(samples: Samples, arriving: ArrivingLight, lighting: Lighting) -> Planes:
     """(3, n) linear RGB."""
     light_there = np.zeros((3, samples.surface.size), np.float32)
 
@@ -154,7 +170,7 @@ def radiance(samples: Samples, arriving: LightMap, lighting: Lighting) -> Planes
 
 
 def _radiance_of_wall(
-    samples: Samples, wall: int, arriving: LightMap, lighting: Lighting
+    samples: Samples, wall: int, arriving: ArrivingLight, lighting: Lighting
 ) -> Planes:
     """(3, n) light from a wall."""
     u, v = ALONG[wall]
@@ -200,7 +216,7 @@ def _on_wall(samples: Samples, axis: int, wall: int) -> tuple[Floats, Floats]:
     return place, wide
 
 
-def _radiance_of_things(samples: Samples, arriving: LightMap, lighting: Lighting) -> Planes:
+def _radiance_of_things(samples: Samples, arriving: ArrivingLight, lighting: Lighting) -> Planes:
     """(3, n) light from boxes and balls."""
     looks, surface = surface_finish(), samples.surface.astype(np.intp)
     directions = samples.camera.directions(samples.x, samples.y)

@@ -20,10 +20,11 @@ from simulations.engine.frame import Raster
 from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.projection.pinhole import intrinsics
-from simulations.world.light_maps import FINE_M, light_map
+from simulations.world.light_maps import light_map
 from simulations.world.radiance import (
     DAY,
     NOTHING,
+    ArrivingLight,
     Lighting,
     Samples,
     normals_of,
@@ -88,12 +89,13 @@ def light_of(
     width: int,
     height: int,
     lighting: Lighting = DAY,
-    spacing: float = FINE_M,
+    arriving: ArrivingLight | None = None,
 ) -> Planes:
-    """(3, H, W) linear RGB of the view of a pinhole camera at a pose (4, 4), with smooth edges."""
+    """(3, H, W) linear RGB of the view of a pinhole camera at a pose (4, 4), with smooth edges, in
+    the light that maps hold or that is given."""
     camera = camera_at(K, world_to_camera)
     whole, edges = samples_of(camera, width, height)
-    colours = radiance(whole, light_map(lighting.angle, spacing), lighting)
+    colours = radiance(whole, arriving or light_map(lighting.angle), lighting)
     picture, quarters = np.split(colours, [width * height], axis=1)
     means = quarters.reshape(3, -1, len(QUARTERS)).mean(axis=2)
     for plane, mean in zip(picture, means, strict=True):

@@ -6,6 +6,7 @@ import pytest
 from support.ladders import LadderRun, run_of
 
 ORDERS = [
+    ("baked-light", "rms.traced == 0 and rms.baked_2 < 0.5 < rms.baked_4 < rms.baked_16"),
     ("block-dct", "max(worst.separable, worst.direct, worst.fourier) < 1e-11"),
     ("block-dct", "1e-6 < min(worst.separable_32, worst.direct_32)"),
     ("block-dct", "max(worst.separable_32, worst.direct_32) < 1e-3"),
@@ -107,7 +108,7 @@ def test_errors_are_ordered_as_theory_and_book_say(ladder_id: str, relation: str
     [
         "block-dct", "chromatic-aberration", "corner-refinement", "demosaicing", "depth-of-field",
         "edge-coverage", "inverse-distortion", "inverse-strong", "resampling",
-        "rotation-interpolation", "shading",
+        "rotation-interpolation", "shading", "baked-light",
     ],
 )  # fmt: skip
 def test_metric_finds_no_error_in_the_reference(ladder_id: str) -> None:
