@@ -101,7 +101,8 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 BENCHES := stage_costs start bytes memory twins drag slow_phone coverage costs
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@export OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests failed=; \
-	$(BIN)/python -m site_builder bench $(LADDER:%=--ladder %) || failed=ladders; \
+	$(if $(LADDER),,$(BIN)/python -m bench.omissions || failed=omissions;) \
+	$(BIN)/python -m site_builder bench $(LADDER:%=--ladder %) || failed="$$failed ladders"; \
 	for tool in $(if $(LADDER),,$(BENCHES)); do \
 		$(BIN)/python -m bench.$$tool || failed="$$failed $$tool"; \
 	done; \

@@ -20,7 +20,10 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.projection import pinhole
-from simulations.scenes._still_life_camera import (
+from simulations.world.depth import ray_depth
+from simulations.world.layers import LitScene
+from simulations.world.still_life import OBJECTS, object_depth
+from simulations.world.still_life_camera import (
     HANDLE_TANGENT,
     Rays,
     blur_layers,
@@ -30,9 +33,6 @@ from simulations.scenes._still_life_camera import (
     line_on_floor,
     overlay,
 )
-from simulations.world.depth import ray_depth
-from simulations.world.layers import LitScene
-from simulations.world.still_life import OBJECTS, object_depth
 
 COLUMNS = 800  # pixels across at rest; half as many down
 WIDTH, HEIGHT = 800.0, 400.0  # view box of the picture

@@ -46,8 +46,8 @@ from site_builder.runtime.store import (
 )
 
 TABLE_NAME = "runtime.json"
-ASKED = ("simulations.models.", "simulations.hard_cases.")
-"""Begins the names of modules of which exercises ask hard cases, whatever pages run."""
+ASKED = ("simulations.models.", "simulations.hard_cases.", "simulations.world.")
+"""Begins the names of modules that exercises use, whatever pages run."""
 SIMULATIONS = "simulations"
 """The chunk with all sources, for readers who edit them."""
 SITE_PACKAGES = f"/lib/python{PYTHON_VERSION.rpartition('.')[0]}/site-packages"

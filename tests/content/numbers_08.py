@@ -8,10 +8,9 @@ from support.worked_numbers import Phrases
 
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.lens.thin_lens import circle_of_confusion_mm, principal_distance_mm
-from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
-from simulations.scenes.camera.lens import bend_rays
 from simulations.scenes.depth_of_field.stages import sharpness
 from simulations.world.still_life import OBJECTS, WALL_DISTANCE, object_depth
+from simulations.world.still_life_camera import COLUMNS, ROWS, bend_rays, sensor_rays
 
 CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264

@@ -14,9 +14,9 @@ from simulations.models.distortion.lens_model import largest_distorted_radius, u
 from simulations.models.error_measures import psnr_db
 from simulations.models.light.raycasting import Sphere
 from simulations.models.sensor.demosaicing import demosaic, mosaic
-from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.camera import scene as camera
 from simulations.world.still_life import OBJECTS, object_depth
+from simulations.world.still_life_camera import PITCH_MM
 
 CHAPTER = "10-speed-and-accuracy"
 

@@ -14,10 +14,10 @@ from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
 from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
 from simulations.pictures.patterns import stripes
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
-from simulations.scenes._still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.world import furniture, room
 from simulations.world.depth import ray_depth
 from simulations.world.still_life import view
+from simulations.world.still_life_camera import COLUMNS, ROWS, sensor_rays
 from simulations.world.surfaces import surfaces
 
 

@@ -11,10 +11,8 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
-from simulations.scenes import _still_life_camera as camera_rays
-from simulations.scenes._still_life_camera import COLUMNS, PITCH_MM, ROWS, principal_mm
 from simulations.scenes.camera import lens as camera_lens
-from simulations.scenes.camera.lens import SUBJECT_M, LensMap, after_step, view_of
+from simulations.scenes.camera.lens import LensMap, after_step, view_of
 from simulations.scenes.camera.scene import SCENE
 from simulations.scenes.camera.stages import (
     ADC,
@@ -25,6 +23,15 @@ from simulations.scenes.camera.stages import (
     read_noise_e,
 )
 from simulations.world import still_life
+from simulations.world import still_life_camera as camera_rays
+from simulations.world.still_life_camera import (
+    COLUMNS,
+    PITCH_MM,
+    ROWS,
+    SUBJECT_M,
+    Rays,
+    principal_mm,
+)
 
 FOCUS_M = 3.2
 FOLDS = [(24.0, -0.4), (24.0, -0.2), (30.0, -0.3), (33.0, -0.4)]  # the fold is in the picture
@@ -35,6 +42,10 @@ texts = partial(texts_at, SCENE)
 
 def sensor_mm(focal_length: float, focus: float = FOCUS_M) -> float:
     return 1.0 / (1.0 / focal_length - 1e-3 / focus)
+
+
+def rays_of(focal_length: float, k1: float) -> Rays:
+    return camera_rays.bend_rays(camera_rays.sensor_rays(focal_length, FOCUS_M), k1)
 
 
 def lens_map_of(focal: float, k1: float, focus: float = FOCUS_M) -> tuple[LensMap, tuple[int, ...]]:
@@ -101,7 +112,7 @@ def test_picture_is_black_and_rays_are_invalid_beyond_the_fold(
     focal_length: float, k1: float
 ) -> None:
     lens, _ = lens_map_of(focal_length, k1)
-    rays = camera_lens.bend_rays(camera_rays.sensor_rays(focal_length, FOCUS_M), k1)
+    rays = camera_rays.bend_rays(camera_rays.sensor_rays(focal_length, FOCUS_M), k1)
     np.testing.assert_array_equal(lens.reached > 0.5, rays.valid)
     black = outputs(focal_length=focal_length, k1=k1)["lens distortion"][:, lens.reached == 0]
     assert black.size

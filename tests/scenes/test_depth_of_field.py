@@ -11,7 +11,6 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.models.lens import thin_lens
 from simulations.models.lens.depth_of_field import Layer
-from simulations.scenes._still_life_camera import PITCH_MM
 from simulations.scenes.depth_of_field.scene import (
     LARGEST_DRAWN_PX,
     SCENE,
@@ -20,6 +19,7 @@ from simulations.scenes.depth_of_field.scene import (
 )
 from simulations.scenes.depth_of_field.stages import FAR_M, HEIGHT, NEAR_M, depth_of
 from simulations.world.layers import LitScene
+from simulations.world.still_life_camera import PITCH_MM
 
 
 def test_focus_inside_the_focal_length_has_no_image_stages_or_error() -> None:

@@ -7,7 +7,8 @@ import pytest
 from support.frames import frame_of
 
 from simulations.engine.stages import StageCache
-from simulations.scenes.leave_out import EFFECTS, PHOTOS, ROUNDS, SCENE
+from simulations.scenes.leave_out import PHOTOS, ROUNDS, SCENE
+from simulations.world.omissions import EFFECTS
 
 PICTURES = [
     pytest.param(name, marks=[] if name in ("night", "map") else pytest.mark.deep)

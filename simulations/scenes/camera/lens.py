@@ -17,7 +17,7 @@ from simulations.models.distortion.lens_model import (
     undistort_clamped,
 )
 from simulations.models.sampling.cubic_warp import CubicWarp, cubic_warp, warp
-from simulations.scenes._still_life_camera import (
+from simulations.world.still_life_camera import (
     COLUMNS,
     PITCH_MM,
     ROWS,
@@ -27,12 +27,10 @@ from simulations.scenes._still_life_camera import (
     ideal_reach,
     largest_blur_px,
     principal_mm,
+    step_back,
 )
-from simulations.world.still_life import OBJECTS, object_depth
 
 STRONGEST_BARREL = -0.4  # the lowest k₁ of the slider
-SUBJECT_M = object_depth(next(item for item in OBJECTS if item.name == "striped ball"))
-"""Depth before the step of the object that keeps its size."""
 MARGINS_PX = (4, 8, 16, 24, 32, 48, 72)
 """Widths of a margin: few, so that most changes of k₁ do not change the straight picture. The least
 is drawn for k₁ = 0 too, so that the first change need not redraw it."""
@@ -57,14 +55,11 @@ class Settings:
 def after_step(settings: Settings) -> Settings:
     """The settings with the focal length and the focus that the camera has after its step back.
 
-    It zooms in, so that one object keeps its size, and stays focused on it. The sliders
-    are for the lens and the focus before the step.
+    The sliders are for the lens and the focus before the step.
     """
     if not settings.back:
         return settings
-    focus, larger = settings.focus + settings.back, 1 + settings.back / SUBJECT_M
-    principal = principal_mm(settings.focal_length, settings.focus) * larger
-    focal_length = 1.0 / (1.0 / principal + 1.0 / (1000.0 * focus))
+    focal_length, focus = step_back(settings.focal_length, settings.focus, settings.back)
     return replace(settings, focal_length=focal_length, focus=focus)
 
 
@@ -104,12 +99,6 @@ def widest_barrel(focal_length: float, focus: float, strongest: float) -> float:
     half_diagonal = math.hypot(SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM) / 2
     corner = half_diagonal / principal_mm(focal_length, focus)
     return max(strongest, -4 / (27 * corner**2))
-
-
-def bend_rays(rays: Rays, k1: float, k2: float = 0.0) -> Rays:
-    """The ray that the lens bends onto each pixel, without resampling."""
-    ideal, valid = undistort_clamped(rays.directions[..., :2], Distortion(k1=k1, k2=k2))
-    return Rays(np.concatenate((ideal, rays.directions[..., 2:]), axis=-1), valid)
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,12 +19,6 @@ from simulations.models.error_measures import decibels
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import aperture_grid
 from simulations.models.light.raycasting import Box, Sphere
-from simulations.scenes._still_life_camera import (
-    PITCH_MM,
-    SENSOR_HEIGHT_MM,
-    SENSOR_WIDTH_MM,
-    principal_mm,
-)
 from simulations.scenes.camera.lens import Settings, after_step, blur_of, view_of
 from simulations.scenes.camera.stages import (
     LEVELS,
@@ -37,6 +31,12 @@ from simulations.scenes.camera.stages import (
 )
 from simulations.world.depth import ray_depth
 from simulations.world.still_life import OBJECTS, WALL_DISTANCE, SceneObject
+from simulations.world.still_life_camera import (
+    PITCH_MM,
+    SENSOR_HEIGHT_MM,
+    SENSOR_WIDTH_MM,
+    principal_mm,
+)
 
 SIZE = WIDTH, HEIGHT = 400.0, 267.0  # of both panels: the 3 : 2 of the sensor
 UNITS_PER_METRE = 27.0

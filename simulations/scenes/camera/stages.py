@@ -13,19 +13,20 @@ from simulations.engine.controls import Value
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
-from simulations.models.arrays import Floats, Planes, centred
+from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import aperture_grid, fibonacci_disc
-from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.models.sensor import photon_counting
-from simulations.scenes._still_life_camera import (
+from simulations.scenes.camera import lens
+from simulations.scenes.camera.lens import STRONGEST_BARREL, Settings, after_step, blur_of
+from simulations.world.still_life_camera import (
     COLUMNS,
-    PITCH_MM,
     ROWS,
     SCALED,
     SCALED_LABEL,
     Rays,
+    bend_rays,
     defocus,
     drawing_of,
     enlarge,
@@ -35,12 +36,10 @@ from simulations.scenes._still_life_camera import (
     mean_through_lens,
     overlay,
     pinhole_rays,
-    principal_mm,
     sensor_rays,
     through_lens,
+    vignette,
 )
-from simulations.scenes.camera import lens
-from simulations.scenes.camera.lens import STRONGEST_BARREL, Settings, after_step, blur_of
 
 FULL_WELL_E = 10_000.0
 BLACK_DN = 512.0
@@ -180,13 +179,6 @@ def draw_grain(new_noise: int) -> Grain:
     return Grain(shot, read)
 
 
-def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
-    """Light on the sensor, relative to the light of the same surface on the axis."""
-    x, y = centred(COLUMNS) * PITCH_MM, centred(ROWS) * PITCH_MM
-    falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
-    return radiance * falloff.astype(np.float32)
-
-
 def expose(irradiance: Planes, exposure: float) -> Planes:
     """Mean electrons; the shutter compensates aperture and focus."""
     return irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
@@ -242,7 +234,7 @@ def opaque_picture(planes: NDArray[np.uint8]) -> Raster:
 
 STAGES = (
     Stage("pinhole rays", pinhole_rays),
-    Stage("bent rays", lens.bend_rays, ("pinhole rays",), neutral=no_bending),
+    Stage("bent rays", bend_rays, ("pinhole rays",), neutral=no_bending),
     Stage("surfaces", find_surfaces, ("bent rays",)),
     Stage("light", light_surfaces, ("surfaces",)),
     Stage("defocus", defocus, ("light",), neutral=in_focus),
@@ -267,7 +259,7 @@ STAGES = (
 def references(settings: Settings) -> Iterator[Raster]:
     """The noiseless picture seen through more and more points of the lens."""
     focal, aperture, focus = settings.focal_length, settings.aperture, settings.focus
-    rays = lens.bend_rays(sensor_rays(focal, focus), settings.k1)
+    rays = bend_rays(sensor_rays(focal, focus), settings.k1)
     total = np.zeros((3, ROWS, COLUMNS), np.float32)
     for number, at in enumerate(aperture_grid(REFERENCE_GRID), start=1):
         total += through_lens(rays, at, settings.light_angle, focal, aperture, focus, settings.back)

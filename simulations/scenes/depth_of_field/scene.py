@@ -20,7 +20,10 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
-from simulations.scenes._still_life_camera import (
+from simulations.scenes.depth_of_field import drawing, stages
+from simulations.scenes.depth_of_field.stages import HEIGHT, WIDTH
+from simulations.world.depth import ray_depth
+from simulations.world.still_life_camera import (
     COLUMNS,
     HANDLE_TANGENT,
     PITCH_MM,
@@ -31,9 +34,6 @@ from simulations.scenes._still_life_camera import (
     drawing_of,
     principal_mm,
 )
-from simulations.scenes.depth_of_field import drawing, stages
-from simulations.scenes.depth_of_field.stages import HEIGHT, WIDTH
-from simulations.world.depth import ray_depth
 
 LARGEST_DRAWN_PX = 48.0  # largest disc that is drawn: wider ones blur everything and take seconds
 UNLIT = np.full((round(ROWS / stages.FINE), round(COLUMNS / stages.FINE)), 0.35)

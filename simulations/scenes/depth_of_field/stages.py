@@ -24,7 +24,9 @@ from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import aperture_grid, fibonacci_disc
 from simulations.models.lens.depth_of_field import blur_by_depth
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
-from simulations.scenes._still_life_camera import (
+from simulations.world.layers import LitScene
+from simulations.world.still_life import OBJECTS, WALL_DISTANCE, object_depth
+from simulations.world.still_life_camera import (
     PITCH_MM,
     SCALED,
     SCALED_LABEL,
@@ -45,8 +47,6 @@ from simulations.scenes._still_life_camera import (
     principal_mm,
     through_lens,
 )
-from simulations.world.layers import LitScene
-from simulations.world.still_life import OBJECTS, WALL_DISTANCE, object_depth
 
 WIDTH, HEIGHT = 420.0, 280.0  # view box of the picture, and of the lens
 NEAR_M, FAR_M = object_depth(OBJECTS[0]), WALL_DISTANCE

@@ -14,7 +14,7 @@ import numpy as np
 
 from simulations.engine.controls import Value
 from simulations.engine.drawing import cased, path
-from simulations.models.arrays import Floats, Mask, Planes
+from simulations.models.arrays import Floats, Mask, Planes, centred
 from simulations.models.distortion.lens_model import (
     Distortion,
     largest_distorted_radius,
@@ -23,6 +23,7 @@ from simulations.models.distortion.lens_model import (
 from simulations.models.lens import thin_lens
 from simulations.models.lens.depth_of_field import blur_by_depth, blur_layer, composite
 from simulations.models.lens.disc_pyramid import double
+from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.models.projection import pinhole
 from simulations.models.sampling.magnification import magnify
 from simulations.world import still_life
@@ -33,6 +34,10 @@ SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM = 36.0, 24.0
 COLUMNS, ROWS = 264, 176
 PITCH_MM = SENSOR_WIDTH_MM / COLUMNS
 """A pixel of this picture is as wide as some twenty of a real sensor: coarse enough to be seen."""
+SUBJECT_M = still_life.object_depth(
+    next(item for item in still_life.OBJECTS if item.name == "striped ball")
+)
+"""Depth of the object that keeps its size as the camera steps back."""
 FARTHEST_M = 10.0
 """Focus of the level `SCALED`, metres: the end of the slider, so that the picture at any other
 focus is an enlarged part of this one."""
@@ -72,6 +77,17 @@ def principal_mm(focal_length: float, focus: float) -> float:
     """Distance from the lens to the sensor, which scales the projection; it is f only at
     infinity."""
     return thin_lens.principal_distance_mm(focal_length, focus * 1000.0)
+
+
+def step_back(focal_length: float, focus: float, back: float) -> tuple[float, float]:
+    """Focal length and focus of the camera ``back`` metres farther away.
+
+    It zooms in, so that one object keeps its size, and stays focused on it.
+    """
+    if not back:
+        return focal_length, focus
+    principal = principal_mm(focal_length, focus) * (1 + back / SUBJECT_M)
+    return 1.0 / (1.0 / principal + 1.0 / (1000.0 * (focus + back))), focus + back
 
 
 @lru_cache(maxsize=4)  # called several times a frame
@@ -123,6 +139,12 @@ def pinhole_rays(
     return Rays(pinhole.pixel_rays(K, columns, rows), np.ones((rows, columns), bool))
 
 
+def bend_rays(rays: Rays, k1: float, k2: float = 0.0) -> Rays:
+    """The ray that the lens bends onto each pixel, without resampling."""
+    ideal, valid = undistort_clamped(rays.directions[..., :2], Distortion(k1=k1, k2=k2))
+    return Rays(np.concatenate((ideal, rays.directions[..., 2:]), axis=-1), valid)
+
+
 def drawing_of(scaled: bool, focal_length: float, focus: float) -> dict[str, Value]:
     """Parameters of the stages: the focus that the picture is drawn at, and its magnification."""
     drawn = max(FARTHEST_M, focus) if scaled else focus
@@ -171,6 +193,15 @@ def overlay(lit: LitScene, enlarged: float) -> Planes:
         return picture
     # Cubics dip a little below the dark side of an edge, but no light is negative.
     return np.maximum(np.stack([magnify(plane, enlarged) for plane in picture]), 0.0)
+
+
+def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
+    """Light (3, H, W) on the whole sensor, relative to that of the same surface on the axis."""
+    rows, columns = radiance.shape[1:]
+    pitch = SENSOR_WIDTH_MM / columns
+    x, y = centred(columns) * pitch, centred(rows) * pitch
+    falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
+    return radiance * falloff.astype(np.float32)
 
 
 def through_lens(

@@ -1,0 +1,48 @@
+"""What may be left out of photographs that no figure shows: the recorded costs are those of the
+pictures, and a plan is judged by its pictures and by what it saves."""
+
+import pytest
+from bench.omissions import most_saved
+
+from simulations.world.camera_budget import (
+    Plan,
+    best_choice,
+    best_in_squares,
+    count_beyond,
+    leave_nothing,
+    one_by_one,
+    prepare,
+    saved_of_best,
+)
+from simulations.world.omissions import complete_model
+
+
+@pytest.mark.parametrize("number", [3, 8])
+def test_recorded_costs_and_best_choice_of_a_photograph_are_those_of_its_pictures(
+    number: int,
+) -> None:
+    task = prepare()[number]
+    assert complete_model(task.photo).costs == pytest.approx(task.costs, rel=1e-3, abs=1e-6)
+    found = most_saved(task.photo, task.costs, task.saved, task.tolerance)
+    assert found == pytest.approx(task.most, rel=1e-3)
+
+
+def all_effects_within(costs: dict[str, float], _saved: object, tolerance: float) -> set[str]:
+    return {name for name in costs if costs[name] <= tolerance}
+
+
+@pytest.mark.parametrize(
+    ("plan", "all_within", "saves_enough"),
+    [
+        (best_choice, True, True),
+        (best_in_squares, False, True),
+        (all_effects_within, False, False),
+        (one_by_one, True, False),
+        (leave_nothing, True, False),
+    ],
+)
+def test_plan_is_right_if_all_pictures_are_within_and_it_saves_nearly_as_much_as_the_best(
+    plan: Plan, all_within: bool, saves_enough: bool
+) -> None:
+    assert (count_beyond(plan) == 0) is all_within
+    assert saved_of_best(plan).endswith("or more") is saves_enough
