@@ -120,7 +120,7 @@ def _back_wall(p: Hits) -> Floats:
     sky = _sky(np.clip((p.y - top) / (bottom - top), 0.0, 1.0))
     inner = _rectangle(p, left + 0.07, right - 0.07, top + 0.07, bottom - 0.07)
     pane_x, pane_y = (right - left) / 4.0, (bottom - top) / 3.0
-    bars = _lattice(p.x - left, pane_x, p.size_x, p.y - top, pane_y, p.size_y)
+    bars = _glazing_bars(p.x - left, pane_x, p.size_x, p.y - top, pane_y, p.size_y)
     colour = blend(colour, sky, inner * (1.0 - bars))
     colour = _framed(colour, p, (1.35, 2.2, -0.8, 0.2), OCHRE)
     colour = _framed(colour, p, (-2.0, -1.5, -0.65, 0.1), BRICK)
@@ -134,7 +134,7 @@ def _left_wall(p: Hits) -> Floats:
         sky = _sky(np.clip(height, 0.0, 1.0))
         outer = band(p.z, z0, z1, p.size_z) * band(p.y, -1.05, 0.30, p.size_y)
         inner = band(p.z, z0 + 0.08, z1 - 0.08, p.size_z) * band(p.y, -0.97, 0.22, p.size_y)
-        bars = _lattice(p.z - z0, (z1 - z0) / 3.0, p.size_z, p.y + 1.05, 0.45, p.size_y)
+        bars = _glazing_bars(p.z - z0, (z1 - z0) / 3.0, p.size_z, p.y + 1.05, 0.45, p.size_y)
         colour = blend(colour, np.asarray(TRIM) * 0.75, outer)
         colour = blend(colour, sky, inner * (1.0 - bars))
     return _with_trim(colour, p, "zy")
@@ -180,7 +180,7 @@ def _rectangle(p: Hits, left: float, right: float, top: float, bottom: float) ->
     return band(p.x, left, right, p.size_x) * band(p.y, top, bottom, p.size_y)
 
 
-def _lattice(
+def _glazing_bars(
     u: Floats, pane_u: float, size_u: Floats, v: Floats, pane_v: float, size_v: Floats
 ) -> Floats:
     """Glazing bars 5 cm wide in both directions."""

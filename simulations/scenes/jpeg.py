@@ -105,7 +105,7 @@ def coded(planes: Floats, quality: int, subsampling: str, tier: str) -> jpeg.Cod
     return jpeg.encode(planes, quality, subsampling, TRANSFORMS[tier])
 
 
-def used(coded: jpeg.Coded, first: int) -> jpeg.Coded:
+def with_first_coefficients(coded: jpeg.Coded, first: int) -> jpeg.Coded:
     luma, blue, red = (first_in_order(codes, first) for codes in coded.planes)
     return replace(coded, luma=luma, differences=(blue, red))
 
@@ -134,7 +134,7 @@ STAGES = (
     Stage("original", rounded_codes),
     Stage("planes", jpeg.to_planes, ("original",)),
     Stage("coded", coded, ("planes",)),
-    Stage("used", used, ("coded",), neutral=all_coefficients_used),
+    Stage("used", with_first_coefficients, ("coded",), neutral=all_coefficients_used),
     Stage("restored", jpeg.restore, ("used",)),
     Stage("full colour", jpeg.fill_in_colour, ("restored",), neutral=no_subsampling),
     Stage("decoded", jpeg.from_planes, ("full colour",)),
@@ -291,7 +291,7 @@ def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Reado
     done: jpeg.Coded = outputs["coded"]
     worst, changed, compared = 0.0, 0, 0
     total = sum(codes.size // ALL for codes in done.planes)
-    for blocks, steps, codes in parts(outputs["planes"], done):
+    for blocks, steps, codes in blocks_with_steps(outputs["planes"], done):
         truth = exact_block_dct(blocks)
         worst = max(worst, float(np.abs(TRANSFORMS[tier](blocks) - truth).max()))
         changed += int(np.count_nonzero(round_outwards(truth / steps) != codes))
@@ -303,7 +303,7 @@ def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Reado
         yield Readout("error", label, format_magnitude(worst, 1e-15), "codes", role="error")
 
 
-def parts(planes: Floats, coded: jpeg.Coded) -> Iterator[tuple[Floats, Floats, Codes]]:
+def blocks_with_steps(planes: Floats, coded: jpeg.Coded) -> Iterator[tuple[Floats, Floats, Codes]]:
     """Blocks (n, 8, 8) of samples of the planes (3, H, W), the steps of their plane, their
     codes."""
     factor = subsampling_factor(coded.subsampling)

@@ -42,7 +42,7 @@ def w_at(settings: Settings) -> float:
     return float(matrix(settings)[2] @ [*point_of(settings), 1.0])
 
 
-def levels(settings: Settings) -> str:
+def divisor_overlay(settings: Settings) -> str:
     """The plane before the map, with the lines of equal w and the side that is past infinity."""
     H, point = matrix(settings), point_of(settings)
     moved = translation(*SHIFT)
@@ -76,23 +76,23 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         plane.figure(H, "image"),
         plane.point_and_image(H, family.matrices_of_amounts("projective")[::4], point),
     )
-    size = (
+    area_phrase = (
         "is cut where it reaches the line that is sent to infinity"
         if math.isinf(area)
         else f"has {format_number(area, 2)} times its area"
     )
-    size_of = plane.WIDTH, plane.HEIGHT
+    panel_size = plane.WIDTH, plane.HEIGHT
     drawn, title = "".join(square), "Before: what each place is divided by"
     return Frame(
         (
-            Panel("plane", "The card and its image", *size_of, overlay=drawn, lead=True),
-            Panel("divisor", title, *size_of, overlay=levels(settings)),
+            Panel("plane", "The card and its image", *panel_size, overlay=drawn, lead=True),
+            Panel("divisor", title, *panel_size, overlay=divisor_overlay(settings)),
         ),
         (
             readout("w", "w at P", w, digits=3),
             readout("area", "Area, image : original", area, digits=3),
         ),
-        f"The image of a square under a homography {size}. "
+        f"The image of a square under a homography {area_phrase}. "
         f"{plane.describe_point(H, point)} There w is {format_number(w, 2)}.",
     )
 

@@ -67,7 +67,15 @@ def check_frames(
         for panel in initial_frame.frame.panels:
             picture = initial_frame.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0
-            _check(scene.id, panel, pixels, known, (path, line), problems, module_of(scene) or "")
+            _check_panel(
+                scene.id,
+                panel,
+                pixels=pixels,
+                known=known,
+                place=(path, line),
+                problems=problems,
+                module=module_of(scene) or "",
+            )
     for chapter in book.chapters:
         for line, text in _unshown(chapter):
             problems.add(chapter.path, line, f"{text!r}; {NOT_SHOWN}")
@@ -75,7 +83,14 @@ def check_frames(
             line = block.target.line if block.target else 1
             if isinstance(block.content, DrawnIllustration):
                 for panel in block.content.illustration.panels:
-                    _check("illustration", panel, 0, known, (chapter.path, line), problems)
+                    _check_panel(
+                        "illustration",
+                        panel,
+                        pixels=0,
+                        known=known,
+                        place=(chapter.path, line),
+                        problems=problems,
+                    )
 
 
 @cached
@@ -122,9 +137,10 @@ def known_classes(static: Mapping[str, Path]) -> frozenset[str]:
     return names if "overlay" in names else frozenset()
 
 
-def _check(
-    who: str,
+def _check_panel(
+    owner: str,
     panel: Panel,
+    *,
     pixels: int,
     known: frozenset[str],
     place: tuple[str, int],
@@ -132,12 +148,12 @@ def _check(
     module: str = "",
 ) -> None:
     for message in _faults(panel, pixels, known):
-        problems.add_of(module, *place, f"{who}: panel {panel.name!r}: {message}")
+        problems.add_of(module, *place, f"{owner}: panel {panel.name!r}: {message}")
     if len(panel.overlay) <= MOST_LETTERS:
         for label in read_overlay(panel.overlay).labels:
             if _is_outside(label, panel):
                 where = f"a label at ({label.x:g}, {label.y:g}) of {panel.width} × {panel.height}"
-                problems.warn(*place, f"{who}: panel {panel.name!r}: {where} is not seen")
+                problems.warn(*place, f"{owner}: panel {panel.name!r}: {where} is not seen")
 
 
 def _is_outside(label: Label, panel: Panel) -> bool:

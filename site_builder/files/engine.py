@@ -29,7 +29,7 @@ SHARED = ("simulations", "simulations/models")
 
 
 def engine_version() -> str:
-    """That of the wheel, which names a commit, or of this repository."""
+    """Version of the installed wheel, which names its commit, or of this repository."""
     return version(DISTRIBUTION) if PACKED.is_dir() else __version__
 
 

@@ -66,9 +66,9 @@ def install_packages(lock_folder: Path, target: Path) -> None:
 
 
 def installed_packages(lock_folder: Path, cache: Path | None = None) -> Path:
-    """A folder with the packages that ``package-lock.json`` of another lists, in ``node_modules``;
-    installed once for this user, and again where a file is not as it was. Its name is the hash of
-    its files, which are listed beside it. Raises `NodeError`."""
+    """A folder with the packages of ``package-lock.json`` in ``lock_folder``, in ``node_modules``;
+    installed once for this user, and again if a file has changed. Its name is the hash of its
+    files, which are listed beside it. Raises `NodeError`."""
     lock = (lock_folder / "package-lock.json").read_bytes()
     room = cache or cache_folder() / "packages"
     record = room / f"{bytes_hash(lock).hex()}.json"

@@ -267,8 +267,8 @@ PIECES: dict[str, Callable[[Path, str], Made]] = {
 
 
 def make_new(root: Path, kind: str, name: str, like: str = "") -> str:
-    """Make it, a scene like one of the gallery; a text that lists what was made and what comes
-    next. Raises `ScaffoldError`."""
+    """Make a book or a piece of one, a scene ``like`` one of the gallery. Returns a summary and
+    the next step. Raises `ScaffoldError`."""
     if kind == "book":
         files = make_book(Path(name))
         return f"{name}: {len(files)} files\nnext: cd {shlex.quote(name)} && make serve"

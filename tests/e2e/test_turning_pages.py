@@ -80,7 +80,7 @@ def test_first_press_of_the_theme_button_changes_the_theme_for_good(
     assert page.locator("html").get_attribute("data-theme") == pressed
 
 
-def test_header_stays_slim_hides_on_a_phone_and_shows_progress(plain_reader: Reader) -> None:
+def test_header_is_slim_and_hides_while_a_phone_scrolls_down(plain_reader: Reader) -> None:
     page = plain_reader.page
     header = page.locator(".site-header")
     for address in ("", SECTIONS):
@@ -95,6 +95,12 @@ def test_header_stays_slim_hides_on_a_phone_and_shows_progress(plain_reader: Rea
         page.evaluate(SCROLL_TO, top)
         is_away = "(header, away) => header.classList.contains('away') === away"
         plain_reader.wait_for(header, is_away, away)
+
+
+def test_contents_lead_to_sections_and_close_by_escape(plain_reader: Reader) -> None:
+    page = plain_reader.page
+    page.set_viewport_size(PHONE)
+    plain_reader.open(SECTIONS, live=False)
     button, contents = page.locator(".contents-toggle"), page.locator("#contents")
     button.click()
     last = contents.locator(".sections a").last
@@ -108,8 +114,10 @@ def test_header_stays_slim_hides_on_a_phone_and_shows_progress(plain_reader: Rea
     expect(contents).to_be_hidden()
     expect(button).to_be_focused()
 
+
+def test_page_shows_its_progress_and_the_section_in_view(plain_reader: Reader) -> None:
+    page = plain_reader.page
     page.set_viewport_size({"width": 1280, "height": 900})
-    plain_reader.open("glossary/", live=False)
     plain_reader.open(SECTIONS, live=False)
     read = "Number(document.querySelector('.site-header').style.getPropertyValue('--read'))"
     page.wait_for_function(f"{read} === 0")

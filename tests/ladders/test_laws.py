@@ -38,7 +38,7 @@ def test_fixed_point_coefficients_have_no_bias() -> None:
     assert abs(np.mean(run.result("fixed-point") - run.truth)) < 0.005
 
 
-def test_opencvs_corner_refinement_errs_like_the_gradient_tier() -> None:
+def test_opencvs_corner_refinement_errs_at_most_four_times_the_gradient_tier() -> None:
     run = run_of("corner-refinement")
     part = run.work[0]
     until = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 30, 1e-4)

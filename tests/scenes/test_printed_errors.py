@@ -32,7 +32,7 @@ from simulations.engine.photograph import Photograph
 from simulations.models.arrays import Floats
 from simulations.models.calibration.board_shape import flat_shape
 from simulations.models.calibration.camera import Camera, predicted
-from simulations.models.calibration.left_out import growth
+from simulations.models.calibration.left_out import values_by_count
 from simulations.models.calibration.model_choice import as_chosen, fitted
 from simulations.models.calibration.shape_size import measure_shape
 from simulations.models.calibration.simulated import Sitting, sitting
@@ -325,7 +325,7 @@ def calibrated(rng: np.random.Generator) -> Scores:
     at = [trial.free.index(name) for name in names]
     off = trial.fit.camera.values(names) - made.camera.values(names)
     printed = np.array([known.errors[name] for name in names])
-    grown = growth(views, trial.fit, trial.free, known.sigma_px, "fx", 6)
+    grown = values_by_count(views, trial.fit, trial.free, known.sigma_px, "fx", 6)
     return {
         **dict(zip(names, off / printed, strict=True)),
         "fx, if all is noise": off[0] / math.sqrt(known.covariance[0, 0]),

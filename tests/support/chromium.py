@@ -64,13 +64,15 @@ def packaged(*names: str) -> list[list[str]]:
 
 
 def main() -> int:
-    found = get(find_chromium, install_commands())
-    shell = get(find_headless_shell, packaged(SHELL)) if found else None
+    found = find_or_install(find_chromium, install_commands())
+    shell = find_or_install(find_headless_shell, packaged(SHELL)) if found else None
     print(f"Chromium for the browser tests: {shell or found}" if found else HOW_TO)
     return 0 if found else 1
 
 
-def get(find: Callable[[], Path | None], commands: Sequence[Sequence[str]]) -> Path | None:
+def find_or_install(
+    find: Callable[[], Path | None], commands: Sequence[Sequence[str]]
+) -> Path | None:
     """The program found, if necessary after running the commands one by one."""
     found = find()
     for command in commands:

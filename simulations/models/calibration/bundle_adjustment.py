@@ -61,7 +61,7 @@ def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...])
     off = np.where(np.repeat(ahead[:, None], 2, axis=1), off, np.inf)
     residual = np.where(seen, off, 0.0)
     shape = poses.shape
-    by_camera = _by_camera(x, y, xd, yd, camera, of_camera(free, poses))
+    by_camera = _by_camera(x, y, xd, yd, camera, camera_names(free, poses))
     by_point = np.stack(  # (P, 2, N, 3), by Q
         (
             np.stack((xx / Z, xy / Z, -(xx * x + xy * y) / Z), -1) * fx,
@@ -85,8 +85,8 @@ def linearise(views: Views, camera: Camera, poses: Poses, free: tuple[str, ...])
     )
 
 
-def of_camera(free: tuple[str, ...], poses: Poses) -> tuple[str, ...]:
-    """Those that belong to the camera; any others are all those of the board's shape, and last."""
+def camera_names(free: tuple[str, ...], poses: Poses) -> tuple[str, ...]:
+    """The free parameters of the camera; those of the board's shape follow them in ``free``."""
     return tuple(name for name in free if name not in poses.shape.names)
 
 
@@ -182,8 +182,8 @@ SETTLED = 1e-12
 """Share of the sum of squares that a last step may promise to gain: a ten-thousandth of a
 standard error, for some thousand corners."""
 CREEPING = 1e-4
-"""Share that the very last of all steps may have gained. A model that is off by many standard
-deviations has a minimum so flat that steps creep towards it; one that is open, a slope."""
+"""Largest share that the last permitted step may gain. A model that fits badly creeps to a flat
+minimum; one with an undetermined parameter keeps descending."""
 ROUNDING_PX = 1e-10
 """A smaller residual is rounding."""
 
@@ -268,7 +268,7 @@ def _moved(
     settled: bool,
 ) -> Adjusted:
     """After a step; of infinite cost where no camera is left."""
-    names = of_camera(free, now.poses)
+    names = camera_names(free, now.poses)
     poses = now.poses.moved(by_pose)
     if len(free) > len(names):
         poses = replace(poses, shape=poses.shape.moved(by_camera[len(names) :]))

@@ -64,17 +64,17 @@ class Growth:
     error: Floats
 
 
-def growth(
+def values_by_count(
     views: Views,
     fit: Adjusted,
     free: tuple[str, ...],
     sigma_px: float,
     name: str,
     least: int,
-    choice: float = 0.0,
+    model_error: float = 0.0,
 ) -> Growth:
-    """The parameter ``name`` from the first ``least``, ``least`` + 1, … photographs; ``choice`` is
-    its error by the choice of the model."""
+    """The parameter ``name`` from the first ``least``, ``least`` + 1, … photographs;
+    ``model_error`` is its error by the choice of the model."""
     S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))
     index = free.index(name)
     first = getattr(fit.camera, name)
@@ -91,5 +91,5 @@ def growth(
             continue
         if variance > 0.0:
             larger = max(sigma_px * np.sqrt(variance), spread(S_n, g_n)[index])
-            error[place] = np.hypot(larger, choice)
+            error[place] = np.hypot(larger, model_error)
     return Growth(counts, value, error)

@@ -76,8 +76,8 @@ class Fisheye:
 
 
 EQUIDISTANT = (0.25, 0.32, 0.4, 0.55)
-"""Focal lengths of equidistant lenses, as shares of the picture's longer side, from which a lens of
-which nothing is known is looked for."""
+"""Starting values for an unknown lens: focal lengths of equidistant lenses, as shares of the
+picture's longer side."""
 
 
 def project_ideal(directions: ArrayLike, model: str) -> tuple[Floats, Mask]:

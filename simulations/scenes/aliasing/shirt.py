@@ -1,7 +1,7 @@
 """A striped shirt, worn: the stripes bend with the cloth, and are even on the chest, where the
 figure reads its row. Lengths are in the figure's pixels, 160 × 120."""
 
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -14,15 +14,40 @@ MIDDLE = 80.0  # of the body
 FLAT = 28.0  # half the width of the chest that faces the camera; towards its sides, cloth recedes
 PALE, DARK = np.array([0.86, 0.84, 0.80]), np.array([0.03, 0.07, 0.24])
 SKIN, WALL = np.array([0.62, 0.36, 0.24]), np.array([0.36, 0.31, 0.25])
-FOLDS = (
-    # x and y of the middle, direction in degrees, half length, half width, height
-    (50, 62, 55, 30, 9, 1.5),
-    (57, 98, 70, 34, 8, -1.8),
-    (114, 66, 118, 28, 9, -1.6),
-    (106, 104, 102, 36, 9, 1.7),
-    (78, 108, 92, 26, 8, 1.2),
-)
 FINEST = 4.0  # cycles per sample; no stripes get finer
+
+
+@dataclass(frozen=True, slots=True)
+class Fold:
+    """A fold of the shirt, in pixels."""
+
+    centre: tuple[float, float]
+    _: KW_ONLY
+    turn_deg: float
+    """Direction of its length, from x towards y."""
+    length: float
+    """Half of it, as of the width."""
+    width: float
+    height: float
+    """How far its crest moves the stripes to the right."""
+
+    def shift_at(self, x: Floats, y: Floats) -> Floats:
+        """How far it moves the stripes at a place to the right; 0 beyond its ends."""
+        turn = np.radians(self.turn_deg)
+        right, down = x - self.centre[0], y - self.centre[1]
+        along = (right * np.cos(turn) + down * np.sin(turn)) / self.length
+        off = (down * np.cos(turn) - right * np.sin(turn)) / self.width
+        hill: Floats = np.cos(np.pi / 2 * along.clip(-1, 1)) * np.cos(np.pi / 2 * off.clip(-1, 1))
+        return self.height * hill**2
+
+
+FOLDS = (
+    Fold((50, 62), turn_deg=55, length=30, width=9, height=1.5),
+    Fold((57, 98), turn_deg=70, length=34, width=8, height=-1.8),
+    Fold((114, 66), turn_deg=118, length=28, width=9, height=-1.6),
+    Fold((106, 104), turn_deg=102, length=36, width=9, height=1.7),
+    Fold((78, 108), turn_deg=92, length=26, width=8, height=1.2),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +94,7 @@ def cloth_at(rate: float) -> Cloth:
     arm = np.maximum(segment(side, y, (41.0, 49.0), (57.0, 140.0)) - 14.0, side - 76.0)
     seam = np.maximum(arm, FLAT + 8.0 - side)  # of the sleeve, which is in front
     round_arm = np.clip((side - 41.0 - 0.175 * (y - 49.0)) / 15.0, -1.0, 1.0)
-    bend = sum(fold(x, y, *each) for each in FOLDS)
+    bend = sum(each.shift_at(x, y) for each in FOLDS)
     on_body = right + np.sign(right) * beyond**2 / 36.0 + bend
     on_arm = np.sign(right) * (0.84 * side - 0.42 * y + 3.0 * round_arm**3) + 0.4 * bend
     along = np.where(seam < 0.0, on_arm, on_body)
@@ -104,14 +129,3 @@ def segment(x: Floats, y: Floats, start: tuple[float, float], end: tuple[float, 
 def coverage(outside: Floats, rate: float) -> Floats:
     """Share of each sample inside, given its distance from a border, negative inside."""
     return np.clip(0.5 - outside * rate, 0.0, 1.0)
-
-
-def fold(
-    x: Floats, y: Floats, x_0: float, y_0: float, turn: float, long: float, wide: float, high: float
-) -> Floats:
-    """How far a fold moves the stripes to the right; nothing beyond its ends."""
-    cos, sin = np.cos(np.radians(turn)), np.sin(np.radians(turn))
-    along = ((x - x_0) * cos + (y - y_0) * sin) / long
-    off = ((y - y_0) * cos - (x - x_0) * sin) / wide
-    hill: Floats = np.cos(np.pi / 2 * along.clip(-1, 1)) * np.cos(np.pi / 2 * off.clip(-1, 1))
-    return high * hill**2

@@ -12,7 +12,7 @@ from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import Adjusted, refine, residuals
-from simulations.models.calibration.left_out import Growth, growth
+from simulations.models.calibration.left_out import Growth, values_by_count
 from simulations.models.calibration.model_choice import (
     Trial,
     as_chosen,
@@ -149,7 +149,7 @@ def _result(used: Boards, every: Trials, trials: Trials, lens: str) -> Result | 
         of_all = as_chosen(of_all, every.found)
     if of_all is not None:
         sigma, choice = of_all.uncertainty.sigma_px, float(of_all.uncertainty.choice[0])
-        grown = growth(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST, choice)
+        grown = values_by_count(every.views, of_all.fit, of_all.free, sigma, "fx", LEAST, choice)
     best = supported(trials.found)
     covered = coverage(trials.views, best.fit, used.size)
     board = measure_shape(trials.views, trial)

@@ -174,7 +174,7 @@ def readout_or_word(
 def describe(settings: Settings, glass: Glass, true: singlet.Rays) -> str:
     ray = f"A ray at a height of {format_number(settings.height, 1)} mm"
     if drawing.is_stopped(settings.height, settings.opening, true):
-        return f"{ray} is {STOPPED}, half of which is smaller."
+        return f"{ray} is {STOPPED}: half of it is smaller than that height."
     fate = int(true.fate[0])
     if fate == singlet.REFLECTED:
         return f"{ray} is totally reflected at the back of the lens."
@@ -195,7 +195,7 @@ def describe(settings: Settings, glass: Glass, true: singlet.Rays) -> str:
 def estimate(_settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """Error of the marked ray's crossing of the axis in this tier, in one step."""
     true, computed = (float(outputs[name].crossing_mm[0]) for name in ("true", "marked"))
-    label, off = "The marked ray crosses too far off by", abs(true - computed)
+    label, off = "The marked ray’s crossing is off by", abs(true - computed)
     if math.isfinite(off):
         yield Readout("error", label, format_magnitude(off, 1e-9), "mm", role="error")
     else:

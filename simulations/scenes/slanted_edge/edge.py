@@ -312,6 +312,7 @@ def sharpness(
     pitch: float,
     photograph: Photograph | None,
 ) -> Sharpness:
+    """Sharpness of the edge in a box of a photograph, or the reason why there is none."""
     unknown = np.full(FREQUENCIES.shape, np.nan)
     nothing = Sharpness(None, HalfContrast(np.nan, np.nan), unknown, unknown)
     if isinstance(pixels, str):

@@ -9,7 +9,7 @@ from support.chequerboards import SIZE, calibrate, photographs
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
-from simulations.models.calibration.left_out import growth, left_out_px
+from simulations.models.calibration.left_out import left_out_px, values_by_count
 from simulations.models.calibration.model_choice import compare, compare_first, supported
 from simulations.models.calibration.standard_errors import uncertainty
 from simulations.models.distortion.lens_model import Distortion
@@ -116,10 +116,10 @@ def test_left_out_error_and_spread_agree_with_recalibrations(lens: str) -> None:
     assert uncertainty(views, fit, free).spread == pytest.approx(jackknife, rel=0.04)
 
 
-def test_growth_agrees_with_calibrations_of_the_first_photographs() -> None:
+def test_values_by_count_agree_with_calibrations_of_the_first_photographs() -> None:
     views = photographs(10, seed=6).views(0.1)
     fit = calibrate(views, "p1p2")
-    grown = growth(views, fit, TANGENTIAL, 0.1, "fx", 4)
+    grown = values_by_count(views, fit, TANGENTIAL, 0.1, "fx", 4)
     assert grown.counts == tuple(range(4, 11))
     for count, value, error in zip(grown.counts, grown.value, grown.error, strict=True):
         first = views.take(slice(count))

@@ -31,9 +31,9 @@ class Measure:
     tolerance: float
     """How far from the right number is right."""
 
-    def within(self, option: Option) -> float:
-        """How far from an option's number an answer may be and is taken for it. As far as half of a
-        mistake that is small: no answer is taken for one that is nearer to 0."""
+    def tolerance_of(self, option: Option) -> float:
+        """Largest distance at which an answer counts as this option; of a wrong one at most half of
+        its size, so that no answer nearer to 0 matches it."""
         size = abs(option.value or 0.0)
         return self.tolerance if option.correct else min(self.tolerance, size / 2)
 
