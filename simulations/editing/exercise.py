@@ -92,6 +92,8 @@ class Trial:
     got: str
     expected: str
     passed: bool
+    asked: bool
+    """Whether the exercise's solution passes."""
 
 
 def place_of(exercise: Exercise, text: str) -> Place:
@@ -342,14 +344,20 @@ def trials(exercise: Exercise, text: str) -> list[Trial]:
     """The reader's answers to the hard cases, except cases for which the adapter raises
     `NotImplementedError`: they need arguments that the reader's function does not have."""
     table, name = table_of(exercise.name, exercise.hard), exercise.model.partition(":")[2]
-    readers = table_of(exercise.name, exercise.hard, {name: function_of(exercise, text, name)})
+    readers, solutions = (
+        table_of(exercise.name, exercise.hard, {name: function_of(exercise, code, name)})
+        for code in (text, exercise.solution)
+    )
     found = []
     for case in table.cases:
         got, expected = _answer_or_error(readers, case.call), answer(table, case.call)
         if isinstance(got, NotImplementedError):
             continue
-        passed = _is_expected(table, case.expected, got)
-        found.append(Trial(case.call, case.why, show(got), show(expected), passed))
+        passed, asked = (
+            _is_expected(table, case.expected, each)
+            for each in (got, _answer_or_error(solutions, case.call))
+        )
+        found.append(Trial(case.call, case.why, show(got), show(expected), passed, asked))
     return found
 
 

@@ -92,6 +92,9 @@ def test_hard_cases_call_the_readers_function_through_the_adapter() -> None:
     model = "simulations.models.geometry.rotations:exponential"
     adapted = replace(TURNED, model=model, adapter=adapter, hard=table)
     assert [trial.passed for trial in trials(adapted, TURNED.solution)] == [True]
-    assert [trial.passed for trial in trials(adapted, TURNED.wrong[0])] == [False]
+    (failed,) = trials(adapted, TURNED.wrong[0])
+    assert (failed.passed, failed.asked) == (False, True)
+    easier = replace(adapted, solution=TURNED.wrong[0])
+    assert [trial.asked for trial in trials(easier, TURNED.solution)] == [False]
     beyond = "def exponential(v):\n    raise NotImplementedError"
     assert trials(replace(adapted, adapter=beyond), TURNED.solution) == []

@@ -46,7 +46,17 @@ interface Exercise extends Question {
   settings: Record<string, string>;
 }
 
-/** What a stage finds; `miss` is a `Miss`, `trials` are `Trial`s of simulations/editing/exercise.py. */
+/** As in simulations/editing/exercise.py. */
+interface Trial {
+  call: string;
+  why: string;
+  got: string;
+  expected: string;
+  passed: boolean;
+  asked: boolean;
+}
+
+/** What a stage finds; `miss` is a `Miss` of simulations/editing/exercise.py. */
 interface Found {
   problem?: { message: string | Message; line: number };
   printed: string;
@@ -54,7 +64,7 @@ interface Found {
   miss: Miss | null;
   yours: Result;
   tiers: Result[];
-  trials: { call: string; why: string; got: string; expected: string; passed: boolean }[];
+  trials: Trial[];
 }
 
 interface Miss {
@@ -310,15 +320,11 @@ class CodeAnswer extends HTMLElement {
   }
 
   #showTrials({ trials }: Found) {
-    const passed = trials.filter((trial) => trial.passed).length;
-    this.#add(words("exercise.hard_passed", { passed, count: trials.length }));
-    const list = element("ul");
-    for (const { call, got, expected, why } of trials.filter((each) => !each.passed)) {
-      list.append(
-        element("li", "", printable(words("exercise.hard_case", { call, got, expected, why }))),
-      );
-    }
-    if (passed === trials.length) return;
+    const asked = trials.filter((trial) => trial.asked);
+    const passed = asked.filter((trial) => trial.passed).length;
+    if (asked.length) this.#add(words("exercise.hard_passed", { passed, count: asked.length }));
+    const others = trials.filter((trial) => !trial.passed);
+    if (others.length === 0) return;
     const name = this.#question.program.model.split(":")[1];
     const valid = trials.some(({ expected }) => /, (True|False)$/.test(expected));
     const said = [
@@ -326,7 +332,20 @@ class CodeAnswer extends HTMLElement {
       valid ? words("exercise.hard_valid") : "",
     ];
     this.#add(said.join(" ").trim()).className = "fine";
-    this.#results.append(list);
+    this.#listTrials(others.filter((trial) => trial.asked));
+    const beyond = others.filter((trial) => !trial.asked);
+    if (beyond.length) this.#add(words("exercise.hard_beyond", { name }));
+    this.#listTrials(beyond);
+  }
+
+  #listTrials(trials: Trial[]) {
+    const list = element("ul");
+    for (const { call, got, expected, why } of trials) {
+      list.append(
+        element("li", "", printable(words("exercise.hard_case", { call, got, expected, why }))),
+      );
+    }
+    if (trials.length) this.#results.append(list);
   }
 
   /** @param right What is stored, if it is right. */
