@@ -6,7 +6,7 @@ from markdown_it.token import Token
 
 from site_builder.document.blocks import Block, Deeper, Prose, Quiz, Reveal, Simulation
 from site_builder.document.places import Passage
-from site_builder.markdown.questions.code.kind import CodeTask
+from site_builder.markdown.questions.kinds import kind_of
 from site_builder.render.words import PLAIN, plain_words
 
 WORDS_A_MINUTE = 180
@@ -58,7 +58,7 @@ def _minutes(block: Block) -> float:
 
 
 def _is_program(block: Block) -> bool:
-    return isinstance(block.content, Quiz) and isinstance(block.content.details, CodeTask)
+    return isinstance(block.content, Quiz) and kind_of(block.content).is_program
 
 
 def _words(words: str | Passage) -> float:

@@ -67,6 +67,8 @@ class QuestionKind:
     """Whether its field is a drawing, which holds what is right."""
     cells: Callable[[Question], Sequence[str]] = lambda _question: ()
     """The Python that a notebook offers to complete, and its checks."""
+    is_program: bool = False
+    """Whether its answer is a program, for which readers take minutes of their own."""
     needs_page: bool = False
     """Whether it is answered with a figure of its page, which no other place has."""
 

@@ -171,5 +171,6 @@ CODE = QuestionKind(
     page_data=_page_data,
     catalogue=lambda question: {"starter": question.details.starter},
     cells=_cells,
+    is_program=True,
     needs_page=True,
 )
