@@ -196,7 +196,9 @@ def test_stored_result_is_used_until_its_sources_change(
     assert len(calls) == 4
 
 
-@pytest.mark.parametrize(("written_ns", "count"), [(time.time_ns(), 2), (4 * 10**18, 1)])
+@pytest.mark.parametrize(
+    ("written_ns", "count"), [(time.time_ns(), 2), (4 * 10**18, 1)], ids=["now", "in the future"]
+)
 def test_results_of_sources_newer_than_the_build_are_not_stored(
     store: Path, monkeypatch: pytest.MonkeyPatch, written_ns: int, count: int
 ) -> None:
