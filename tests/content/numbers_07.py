@@ -55,7 +55,7 @@ def halfway_between_two_samples() -> Phrases:
     n = np.arange(-2, 4)
     weights = KERNELS["lanczos3"].weigh(0.5 - n)
     windowed = np.cos(0.4 * np.pi * n) @ weights / weights.sum()
-    yield f"the sinc makes {windowed:.3f} of the six samples of the example above"
+    yield f"the sinc makes {windowed:.3f} of the six samples"
     yield f"in place of {value(6):.3f}, where {np.cos(np.pi / 5):.3f} is right"
 
 
@@ -97,7 +97,7 @@ def a_shift_costs_more_than_a_blur_on_photographs() -> Phrases:
         )
         moved, dulled = (np.mean(error[16:-16, 16:-16] ** 2) for error in errors)
         assert 10 * np.log10(moved / dulled) > 5
-    yield "On photographs the result is the same."
+    yield "On five photographs the result is the same."
 
 
 def detail_after_twelve_turns() -> Phrases:
