@@ -174,7 +174,9 @@ ORDERS = """[...document.querySelectorAll('form.quiz fieldset')]
 def test_progress_lists_mistakes_is_reset_and_moves_as_a_file(
     plain_reader: Reader, book: Any, tmp_path: Path
 ) -> None:
-    page, place = plain_reader.page, book["chapters"][9]
+    page = plain_reader.page
+    chapters = (each for each in book["chapters"] if len(questions(book, "number", each["id"])) > 1)
+    place = next(chapters)
     plain_reader.open(live=False)
     assert page.locator(".progress").is_hidden(), "before the first answer"
     plain_reader.open(place["url"], live=False)

@@ -89,7 +89,8 @@ function clearMoved(event: Event) {
 async function recordState(event: Event) {
   const figure = closestTo(event, "simulation-figure", HTMLElement);
   const form = figure?.querySelector("form.controls");
-  if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
+  const { dataset = {} } = figure ?? {};
+  if (!figure || !form || !touched.has(form) || "moving" in dataset || "with" in dataset) return;
   const permalink = await import("./permalink.ts").catch(ignore); // else the address stays
   permalink?.record(figure, "replace");
 }
