@@ -4,15 +4,16 @@ Every slider of every scene of the built book is dragged from end to end and bac
 independent of the book's (``js/drag.js``). A latency is the time from an event to the first
 animation frame after the one that shows the result, so that it is about a whole number of display
 frames. A row has the number of moves beyond the bound of the speed, the level of most moves and the
-level at rest. Drags are measured at full speed and, on Linux, in slowed browsers (``slowed.py``).
-``--scene`` measures some scenes only and ``--times`` some speeds; for all, a summary goes into
+level at rest. All sliders are measured at full speed; then, on Linux, the slowest of each scene in
+slowed browsers (``slowed.py``), where all would take an hour. ``--scene`` measures some scenes only
+and ``--times`` all their sliders at these speeds; otherwise a summary goes into
 ``content/costs.json``.
 """
 
 import argparse
 import json
 import statistics
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -139,10 +140,9 @@ def figure_at_rest(page: Page, scene: str) -> JSHandle:
 
 
 def measure(
-    page: Page, address: str, book: Any, wanted: Sequence[str], times: float
+    page: Page, address: str, book: Any, wanted: Mapping[str, Sequence[str]], times: float
 ) -> Iterator[Drag]:
-    """Measure each slider of these scenes in the first chapter that shows the scene."""
-    controls = {each["id"]: each["controls"] for each in book["simulations"]}
+    """Measure these sliders, by scene, in the first chapter that shows the scene."""
     waiting = set(wanted)
     for chapter in book["chapters"]:
         here = [scene for scene in chapter["simulations"] if scene in waiting]
@@ -154,11 +154,24 @@ def measure(
         for scene in here:
             figure = figure_at_rest(page, scene)
             page.wait_for_timeout(READ_MS)
-            for control in controls[scene]:
-                if control["kind"] == "slider":
-                    hand = {"name": control["name"], "moves": MOVES, "rounds": ROUNDS}
-                    found = page.evaluate(DRAG, [drag, figure, hand])
-                    yield Drag(scene, control["name"], times, **found)
+            for name in wanted[scene]:
+                hand = {"name": name, "moves": MOVES, "rounds": ROUNDS}
+                found = page.evaluate(DRAG, [drag, figure, hand])
+                yield Drag(scene, name, times, **found)
+
+
+def sliders_of(book: Any, scenes: Sequence[str]) -> dict[str, list[str]]:
+    """The names of the sliders of these scenes, or of all if there are none, by scene."""
+    return {
+        each["id"]: [slider["name"] for slider in each["controls"] if slider["kind"] == "slider"]
+        for each in book["simulations"]
+        if not scenes or each["id"] in scenes
+    }
+
+
+def slowest_sliders(rows: Sequence[Drag]) -> dict[str, list[str]]:
+    """The slider of each scene whose 95th percentile is the highest."""
+    return {row.scene: [row.control] for row in sorted(rows, key=lambda row: row.p95)}
 
 
 def summary(rows: Sequence[Drag]) -> dict[str, float]:
@@ -184,7 +197,7 @@ def main() -> None:
     parser.add_argument("--scene", action="append", default=[])
     parser.add_argument("--times", action="append", default=[], type=float, choices=BOUNDS_MS)
     arguments, book = parser.parse_args(), read_book()
-    wanted = arguments.scene or [each["id"] for each in book["simulations"]]
+    wanted = sliders_of(book, arguments.scene)
     print(HEADING)
     found: dict[str, dict[str, float]] = {}
     for times in arguments.times or BOUNDS_MS:
@@ -195,6 +208,8 @@ def main() -> None:
                 print(line(each), flush=True)
         found[f"{times:g}"] = summary(rows)
         print(f"slowed {times:g} times: {json.dumps(found[f'{times:g}'])}", flush=True)
+        if not arguments.times:
+            wanted = slowest_sliders(rows)
     if not arguments.scene and not arguments.times:
         store_section("drags", found)
 
