@@ -136,6 +136,11 @@ def source_hash(module: str) -> bytes:
     return hash_of(_imported(module), _versions())
 
 
+def imports_hash(text: str) -> bytes:
+    """The hash of the sources of all our modules that the code ``text`` imports, likewise."""
+    return hash_of([source_hash(name) for name in sorted(_names_imported(text))])
+
+
 def book_hash(module: str) -> str:
     """The same, in hexadecimal digits, without the engine and the versions."""
     engine = ("simulations.engine", "site_builder")
@@ -170,12 +175,18 @@ def _source(module: str) -> tuple[bytes, tuple[str, ...]] | None:
         return None
     text = file.read_bytes().decode("utf-8", "replace")
     _written_ns.append(file.stat().st_mtime_ns)
-    names = {module.rpartition(".")[0]}
+    names = {module.rpartition(".")[0], *_names_imported(text)}
+    data = [each.read_bytes() for each in data_of(file).values()]
+    return hash_of(text, *data), tuple(sorted(names))
+
+
+def _names_imported(text: str) -> set[str]:
+    """Names that may be modules which the code ``text`` imports."""
+    names: set[str] = set()
     for origin, members, plain in IMPORT.findall(text):
         names |= {origin, *re.findall(r"[\w.]+", plain)}
         names |= {f"{origin}.{member}" for member in re.findall(r"\w+", members)}
-    data = [each.read_bytes() for each in data_of(file).values()]
-    return hash_of(text, *data), tuple(sorted(names))
+    return names
 
 
 DAY_NS = 86_400 * 10**9

@@ -3,18 +3,16 @@ starts with is not, and each wrong answer is wrong and recognised."""
 
 from dataclasses import asdict
 from functools import partial
-from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-import simulations
 from simulations.editing.exercise import Exercise, check_claims, findings, model_miss
-from simulations.registry import load_ladder
+from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.cache.hashing import imports_hash
 from site_builder.cache.results import cached
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import Quiz
 from site_builder.document.book import Book, Chapter
-from site_builder.files.folders import folder_hash
 from site_builder.markdown.questions.code.kind import CodeTask
 from site_builder.pool.processes import run_in_pool
 
@@ -22,22 +20,14 @@ COMPARED = "equal answers, or an 'assert' behind the cases that compares the two
 
 
 def check_exercises(book: Book, problems: Diagnostics) -> None:
-    found = [
-        (chapter, quiz)
-        for chapter in book.chapters
-        for quiz in chapter.quizzes
-        if isinstance(quiz.details, CodeTask)
-    ]
-    folders = map(Path, simulations.__path__) if found else ()
-    sources = tuple(folder_hash(folder, "*.py") for folder in folders)
-    for chapter, quiz in found:
-        for line, message in _faults(quiz, quiz.details, chapter, sources):
-            problems.add(quiz.path, line, f"exercise {quiz.id!r}: {message}")
+    for chapter in book.chapters:
+        for quiz in chapter.quizzes:
+            if isinstance(quiz.details, CodeTask):
+                for line, message in _faults(quiz, quiz.details, chapter):
+                    problems.add(quiz.path, line, f"exercise {quiz.id!r}: {message}")
 
 
-def _faults(
-    quiz: Quiz, task: CodeTask, chapter: Chapter, sources: tuple[bytes, ...]
-) -> list[tuple[int, str]]:
+def _faults(quiz: Quiz, task: CodeTask, chapter: Chapter) -> list[tuple[int, str]]:
     figures = [figure.id for figure in chapter.simulations]
     if task.figure and task.figure not in (*figures, *chapter.figures):
         return [(quiz.line, unknown("figure of this page", task.figure, figures))]
@@ -45,14 +35,21 @@ def _faults(
         tiers = [tier.id for tier in task.measured.ladder.tiers]
         if task.exercise.tier not in tiers:
             return [(quiz.line, unknown("tier", task.exercise.tier, tiers))]
-    found = _find_faults(task.exercise, task.starter, sources)
+    found = _find_faults(task.exercise, task.starter, _sources(task))
     return [(quiz.line if at is None else task.lines[at], message) for at, message in found]
 
 
+def _sources(task: CodeTask) -> bytes:
+    """The hash of the sources of what the exercise runs."""
+    exercise = task.exercise
+    ladder = LADDER_MODULES.get(exercise.ladder, "")
+    modules = [f"import {name}" for name in (exercise.model.partition(":")[0], ladder) if name]
+    programs = exercise.check, exercise.adapter, task.starter, exercise.solution, *exercise.wrong
+    return imports_hash("\n".join([*modules, *programs]))
+
+
 @cached
-def _find_faults(
-    exercise: Exercise, starter: str, _sources: tuple[bytes, ...]
-) -> list[tuple[int | None, str]]:
+def _find_faults(exercise: Exercise, starter: str, _sources: bytes) -> list[tuple[int | None, str]]:
     """What is wrong, with the number of the answer: 0 for the solution, None for the start."""
     try:
         run_in_pool(partial(check_claims, exercise))
