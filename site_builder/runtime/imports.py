@@ -99,7 +99,7 @@ def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     for name, line, certain in _mentions(file.read_bytes(), path):
         if name in files:
             inside.add(name)
-        elif name.partition(".")[0] not in ours and (certain or is_module(name)):
+        elif name.partition(".")[0] not in ours and (certain or _is_installed(name)):
             others.setdefault(name, f"{path}:{line}")
     return Imports(frozenset(inside), others)
 
@@ -128,6 +128,12 @@ def _mentions(source: bytes, path: str) -> tuple[tuple[str, int, bool], ...]:
         if isinstance(node.value, ast.Name) and (package := aliases.get(node.value.id)):
             found.setdefault((f"{package}.{node.attr}", False), node.lineno)
     return tuple((name, line, certain) for (name, certain), line in found.items())
+
+
+@cached
+def _is_installed(name: str) -> bool:
+    """Whether a name from outside the book is a module; to find out may import what it lies in."""
+    return is_module(name)
 
 
 @cache
