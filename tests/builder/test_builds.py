@@ -24,7 +24,7 @@ from simulations.registry import load_scene
 from site_builder.build import Options, render_site
 from site_builder.cache import hashing
 from site_builder.cache import results as cache
-from site_builder.cache.hashing import UnhashableError, hash_of, source_hash
+from site_builder.cache.hashing import UnhashableError, hash_of, imports_hash, source_hash
 from site_builder.cache.results import FILE, Cache, cached, cached_reading, using
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostics
 from site_builder.sources.outline import OWN_FOLDERS
@@ -310,6 +310,8 @@ def test_values_have_the_same_hash_exactly_where_they_are_equal() -> None:
     assert hash_of(frozenset("abcdef")) == hash_of(frozenset("fedcba"))
     names = ("frame", "scene", "controls")
     assert len({source_hash(f"simulations.engine.{name}") for name in names}) == len(names)
+    programs = [f"    from simulations.engine import {name}" for name in names]
+    assert len({imports_hash(program) for program in programs}) == len(names)
 
 
 def test_function_with_a_closure_is_unhashable() -> None:
