@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 type Points = NDArray[np.floating]
 type Point = Sequence[float] | Points
 
+PAIR = "%.2f,%.2f"
 SHORTER = (("-0.00", "0"), (".00", ""), *((f".{digit}0", f".{digit}") for digit in range(1, 10)))
 """Replacements that shorten numbers of two decimals; the order matters."""
 
@@ -47,25 +48,17 @@ def check_count(count: int) -> None:
 
 def point_list(points: Iterable[Point], joint: str = " ") -> str:
     """The numbers of an attribute ``points``."""
-    if isinstance(points, np.ndarray):
-        return _array_points(points, joint)
-    points = [*points]
-    check_count(len(points))
-    return joint.join([f"{coordinate(point[0])},{coordinate(point[1])}" for point in points])
+    rows = points.tolist() if isinstance(points, np.ndarray) else [*points]
+    check_count(len(rows))
+    return _written(joint.join([PAIR] * len(rows)), [value for row in rows for value in row[:2]])
 
 
-def _array_points(points: Points, joint: str) -> str:
-    """`coordinate` of all numbers (N, 2) at once, which is faster for the hundreds of a curve."""
-    check_count(len(points))
-    if not len(points):
-        return ""
-    numbers = points[:, :2].ravel().tolist()
-    if not all(map(math.isfinite, numbers)):
-        coordinate(next(number for number in numbers if not math.isfinite(number)))
-    return _shortened(joint.join(["%.2f,%.2f"] * len(points)) % tuple(numbers))
-
-
-def _shortened(text: str) -> str:
+def _written(form: str, numbers: list[float]) -> str:
+    """`coordinate` of all numbers at once, which is faster for the hundreds of a curve."""
+    if not math.isfinite(sum(numbers)):
+        for number in numbers:
+            coordinate(number)
+    text = form % tuple(numbers)
     for written, meant in SHORTER:
         text = text.replace(written, meant)
     return text
@@ -89,11 +82,15 @@ def path(subpaths: Iterable[Iterable[Point]], style: str = "") -> str:
     fastest as one array (N, points, 2) of finite numbers."""
     if isinstance(subpaths, np.ndarray):
         check_count(subpaths.size)
-        form = "M" + "L".join(["%.2f,%.2f"] * subpaths.shape[1])
-        data = _shortened(form * len(subpaths) % tuple(subpaths.ravel().tolist()))
-        return f'<path class="{style}" d="{data}"/>'
-    data = "".join(["M" + point_list(points, "L") for points in subpaths])
-    return f'<path class="{style}" d="{data}"/>'
+        forms = ["M" + "L".join([PAIR] * subpaths.shape[1])] * len(subpaths)
+        numbers = subpaths.ravel().tolist()
+    else:
+        runs = [run.tolist() if isinstance(run, np.ndarray) else [*run] for run in subpaths]
+        for run in runs:
+            check_count(len(run))
+        forms = ["M" + "L".join([PAIR] * len(run)) for run in runs]
+        numbers = [value for run in runs for point in run for value in point[:2]]
+    return f'<path class="{style}" d="{_written("".join(forms), numbers)}"/>'
 
 
 def circle(centre: Point, radius: float, style: str = "") -> str:

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import KW_ONLY, asdict, dataclass, field, replace
+from dataclasses import KW_ONLY, dataclass, field, replace
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -292,9 +292,9 @@ def to_json(frame: Frame) -> str:
                 }
                 for panel in frame.panels
             ],
-            "readouts": [asdict(item) for item in frame.readouts],
+            "readouts": frame.readouts,
             "description": frame.description,
-            "stages": [asdict(stage) for stage in frame.stages],
+            "stages": frame.stages,
             "handles": [
                 {"name": place.name, "x": round(place.x, 2), "y": round(place.y, 2)}
                 | ({"step": round(place.step, 5)} if place.step else {})
@@ -304,4 +304,5 @@ def to_json(frame: Frame) -> str:
         },
         ensure_ascii=False,
         allow_nan=False,
+        default=lambda item: {name: getattr(item, name) for name in item.__slots__},
     )

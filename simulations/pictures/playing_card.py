@@ -59,6 +59,4 @@ def card_markup(outline: Floats, marks: list[Floats]) -> str:
     """The card in its own colours, after a transformation and clipping; empty polygons are left
     out."""
     shapes = ((outline, PAPER), *((mark, RED) for mark in marks))
-    return "".join(
-        swatch_polygon(shape.tolist(), colour) for shape, colour in shapes if len(shape) > 2
-    )
+    return "".join(swatch_polygon(shape, colour) for shape, colour in shapes if len(shape) > 2)

@@ -45,7 +45,6 @@ def w_at(settings: Settings) -> float:
 def divisor_overlay(settings: Settings) -> str:
     """The plane before the map, with the lines of equal w and the side that is past infinity."""
     H, point = matrix(settings), point_of(settings)
-    moved = translation(*SHIFT)
     w = H[2] @ translation(*-SHIFT)
     past = clip_half_plane(plane.from_view(CORNERS), -w)
     spot = plane.to_view(point + SHIFT)
@@ -54,7 +53,7 @@ def divisor_overlay(settings: Settings) -> str:
     words = f"P: w = {format_number(w_at(settings), 2)}"
     return "".join(
         (
-            plane.figure(moved, "world"),
+            plane.original(*SHIFT.tolist()),
             drawing.polygon(plane.to_view(past), "error fill faint") if len(past) > 2 else "",
             *(
                 plane.labelled_line(w - (0.0, 0.0, level), f"w = {level:g}", role, "start")
@@ -71,7 +70,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     w, area = w_at(settings), plane.area_ratio(H)
     square = (
         plane.axes(),
-        plane.figure(np.eye(3), "world"),
+        plane.original(),
         plane.lines_at_infinity(H),
         plane.figure(H, "image"),
         plane.point_and_image(H, family.matrices_of_amounts("projective")[::4], point),

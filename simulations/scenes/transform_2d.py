@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -71,7 +72,7 @@ def square_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
     matrices = family.matrices_of_amounts(settings.transform)[: 0 if moved else None : 4]
     parts = (
         plane.axes(),
-        plane.figure(np.eye(3), "world"),
+        plane.original(),
         plane.lines_at_infinity(H),
         plane.figure(H, "image"),
         *plane.corners(settings.transform, H),
@@ -94,6 +95,7 @@ def family_handle_place(name: str) -> Point:
     return right - 32.0, top + 46.0
 
 
+@cache
 def hierarchy_panel(current: str) -> Panel:
     """The families as five nested frames; each contains the smaller families."""
     parts = []

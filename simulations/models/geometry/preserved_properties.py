@@ -43,8 +43,11 @@ def measure_preservation(H: ArrayLike, segments: ArrayLike) -> Preservation:
     ValueError
         If fewer than two segments are visible, or a segment or its image is a single point.
     """
-    before = [clip_to_visible(H, segment, closed=False) for segment in np.asarray(segments, float)]
-    visible = np.array([piece for piece in before if len(piece) == 2])
+    before = visible = np.asarray(segments, float)
+    ends = before.reshape(-1, 2)
+    if not np.array_equal(clip_to_visible(H, ends, closed=False), ends):  # slow, one by one
+        pieces = [clip_to_visible(H, segment, closed=False) for segment in before]
+        visible = np.array([piece for piece in pieces if len(piece) == 2])
     if len(visible) < 2:
         raise ValueError(f"segments: {len(visible)} of {len(before)} visible; legal: 2 or more")
     images, _ = apply_homography(H, _sample(visible))
@@ -53,7 +56,7 @@ def measure_preservation(H: ArrayLike, segments: ArrayLike) -> Preservation:
         raise ValueError("segments; legal: longer than a point, also in the image")
     directions, lengths = _unit(chords)
     directions_image, lengths_image = _unit(chords_image)
-    whole = len(visible) == len(before) and np.allclose(visible, np.asarray(segments, float))
+    whole = len(visible) == len(before) and np.allclose(visible, before)
     between, between_image = _angles(directions), _angles(directions_image)
     parallel = np.sin(between) < PARALLEL
     return Preservation(

@@ -139,7 +139,9 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
     """
     vertices = _in_range("polygon", _vertices(polygon))
     coefficients = _in_range("line", as_array("line", line, 3))
-    side = vertices @ coefficients[:2] + coefficients[2]
+    side = (vertices @ coefficients[:2] + coefficients[2]).tolist()
+    if min(side, default=0.0) >= 0.0:
+        return vertices.copy()
     clipped: list[Floats] = []
     for i in range(len(vertices)):
         previous = i - 1

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
+from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +18,7 @@ from simulations.models.geometry.transforms import (
     clip_to_rectangle,
     clip_to_visible,
     sign_of_w,
+    translation,
 )
 from simulations.pictures import playing_card
 from simulations.scenes._mapped_square import family
@@ -76,6 +79,7 @@ def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
     return clip_to_rectangle(to_view(points), *FRAME, closed)
 
 
+@cache
 def axes() -> str:
     rules = [[(x, -60), (x, 148)] for x in (-50, 50, 100, 150)]
     rules += [[(-63, y), (184, y)] for y in (-50, 50, 100)]
@@ -91,19 +95,28 @@ def axes() -> str:
 
 
 def clipped_images(H: Floats, shapes: Sequence[Floats]) -> list[Floats]:
-    """Images of a polygon and of others inside it, in the view box and clipped to it."""
-    whole = image_of(H, shapes[0])
-    places = to_view(whole.points)
-    if not whole.cut and np.all(places >= FRAME[0]) and np.all(places <= FRAME[1]):
-        ends = np.cumsum([len(shape) for shape in shapes[:-1]])
-        return np.split(to_view(apply_homography(H, np.concatenate(shapes))[0]), ends)
-    return [in_frame(image_of(H, shape).points) for shape in shapes]
+    """Images of a polygon, and of others and lines inside it, in the view box and clipped to it."""
+    closed = [len(shape) > 2 for shape in shapes]
+    if image_of(H, shapes[0]).cut:
+        images = [image_of(H, *each).points for each in zip(shapes, closed, strict=True)]
+    else:
+        together = apply_homography(H, np.concatenate(shapes))[0]
+        ends = accumulate(map(len, shapes), initial=0)
+        images = [together[start:end] for start, end in pairwise(ends)]
+    return [in_frame(*each) for each in zip(images, closed, strict=True)]
+
+
+@cache
+def original(right: float = 0.0, up: float = 0.0) -> str:
+    """The square before it is mapped, which may be shown elsewhere."""
+    return figure(translation(right, up), "world")
 
 
 def figure(H: Floats, role: str) -> str:
     """The square with its grid and the card that lies on it, moved by H."""
-    outline, card, *marks = clipped_images(H, (SQUARE, playing_card.OUTLINE, *playing_card.MARKS))
-    grid = [in_frame(image_of(H, rule, closed=False).points, closed=False) for rule in GRID]
+    shapes = (SQUARE, *GRID, playing_card.OUTLINE, *playing_card.MARKS)
+    outline, *rest = clipped_images(H, shapes)
+    grid, (card, *marks) = rest[: len(GRID)], rest[len(GRID) :]
     return (
         (drawing.polygon(outline, f"{role} fill") if len(outline) else "")
         + drawing.path([rule for rule in grid if len(rule) > 1], f"{role} thin faint")
