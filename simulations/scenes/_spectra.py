@@ -153,8 +153,8 @@ def colours_under(heights: Floats) -> Raster:
     steps = np.linspace(0.0, len(heights) - 1.0, COLUMNS.stop - COLUMNS.start)
     edge = FINE * PLOT.y.position(np.interp(steps, np.arange(len(heights)), heights))
     rows = np.arange(FINE * round(PLOT.y.end), FINE * round(PLOT.y.start))
-    area = picture[rows[0] : rows[-1] + 1, COLUMNS]
-    np.copyto(area, rainbow(), where=(rows[:, None] >= edge)[..., None])
+    area, colours = (each.view(np.uint32)[..., 0] for each in (picture[:, COLUMNS], rainbow()))
+    np.copyto(area[rows[0] : rows[-1] + 1], colours, where=rows[:, None] >= edge)
     return picture
 
 

@@ -17,7 +17,7 @@ from simulations.engine.instrument import Instrument
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, Mask
 from simulations.models.chequerboard.board import FOOT_MM, Board, board_pdf, board_svg
 
 WIDTH, HEIGHT = 400, 300
@@ -40,6 +40,9 @@ PENCIL: tuple[tuple[tuple[float, float], tuple[float, float], tuple[float, float
     ((0.10, 0.89), (0.0, 0.33), (0.98, 0.80, 0.30)),
     ((0.10, 0.89), (0.33, 0.67), (0.93, 0.70, 0.16)),
     ((0.10, 0.89), (0.67, 1.0), (0.74, 0.50, 0.10)),
+)
+WHITE, BLACK = (
+    np.array(code, np.uint8).view(np.uint32)[0] for code in ((255,) * 4, (0, 0, 0, 255))
 )
 WOOD, LEAD = (0.91, 0.76, 0.57), (0.2, 0.2, 0.22)
 ACROSS, DOWN = (4, 16), (3, 12)  # least and most squares
@@ -94,23 +97,37 @@ def picture_of(board: Board, sheet: Sheet) -> Raster:
     """The board and the ruler on the sheet, which casts a shadow on a table."""
     y, x = (np.arange(PIXELS * length) + 0.5 for length in (HEIGHT, WIDTH))
     x_mm = (x / PIXELS - LEFT) / sheet.scale
-    y_mm = (y / PIXELS - TOP)[:, None] / sheet.scale
+    y_mm = (y / PIXELS - TOP) / sheet.scale
     column = np.floor((x_mm - sheet.left_mm) / board.side_mm)
     row = np.floor((y_mm - sheet.top_mm) / board.side_mm)
-    inside = (column >= 0) & (column < board.across) & (row >= 0) & (row < board.down)
-    paper = (x_mm >= 0) & (x_mm < sheet.width_mm) & (y_mm >= 0) & (y_mm < sheet.height_mm)
     shadow = np.multiply.outer(
         shadow_along(y, TOP, sheet.scale * sheet.height_mm),
         shadow_along(x, LEFT, sheet.scale * sheet.width_mm),
     )
     pixels = np.full((len(y), len(x), 4), 255, np.uint8)
-    np.multiply(table(), (1.0 - shadow)[..., None], out=pixels[..., :3], casting="unsafe")
-    pixels[paper] = 255
-    pixels[inside & ((column + row) % 2 == 0), :3] = 0
-    along = (x_mm >= sheet.left_mm) & (x_mm < sheet.left_mm + board.ruler_mm)
+    for channel, codes in enumerate(table()):  # faster than all channels in one product
+        np.multiply(codes, 1.0 - shadow, out=pixels[..., channel], casting="unsafe")
+    packed = pixels.view(np.uint32)[..., 0]
+    paper = (
+        span((y_mm >= 0) & (y_mm < sheet.height_mm)),
+        span((x_mm >= 0) & (x_mm < sheet.width_mm)),
+    )
+    packed[paper] = WHITE
+    rows, columns = (
+        span((row >= 0) & (row < board.down)),
+        span((column >= 0) & (column < board.across)),
+    )
+    packed[rows, columns][np.add.outer(row[rows], column[columns]) % 2 == 0] = BLACK
+    along = span((x_mm >= sheet.left_mm) & (x_mm < sheet.left_mm + board.ruler_mm))
     ruler_mm = sheet.top_mm + (board.down + 1) * board.side_mm
-    pixels[(np.abs(y_mm - ruler_mm) < 0.5 / sheet.scale) & along, :3] = 0
+    packed[span(np.abs(y_mm - ruler_mm) < 0.5 / sheet.scale), along] = BLACK
     return pixels
+
+
+def span(inside: Mask) -> slice:
+    """From the first to the last place (n,) that is inside."""
+    places = np.flatnonzero(inside)
+    return slice(places[0], places[-1] + 1) if places.size else slice(0)
 
 
 def shadow_along(places: Floats, start: float, length: float) -> Floats:
@@ -121,10 +138,10 @@ def shadow_along(places: Floats, start: float, length: float) -> Floats:
 
 @cache
 def table() -> NDArray[np.float32]:
-    """(600, 800, 3) codes of its wood."""
+    """(3, 600, 800) codes of its wood."""
     y, x = np.arange(PIXELS * HEIGHT)[:, None], np.arange(PIXELS * WIDTH)
     grain = 1.0 + 0.05 * np.sin(0.9 * y + 5.0 * np.sin(0.006 * x + 0.02 * y))
-    return np.asarray(grain[..., None] * OAK, np.float32)
+    return np.multiply.outer(OAK, grain).astype(np.float32)
 
 
 def pencil(units_per_mm: float) -> str:

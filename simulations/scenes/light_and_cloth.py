@@ -93,7 +93,8 @@ def picture(response: EyeResponse, twin: bool) -> Raster:
     """The surfaces, hung side by side like cloths; twins in the lower halves."""
     flat = chart(twin).paint((response.here, response.by_day), twin=twin)
     cloths = flat.repeat(UNIT, axis=0).repeat(UNIT, axis=1)
-    cloths[..., :3] = np.rint(cloths[..., :3] * folds()[..., None])
+    for channel in range(3):  # faster than all channels in one product
+        cloths[..., channel] = np.rint(cloths[..., channel] * folds())
     return cloths
 
 

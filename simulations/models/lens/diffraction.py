@@ -92,7 +92,10 @@ def lens_transfer(
         share = np.minimum(np.where(frequency > 0.0, frequency * shortest, 0.0), 1.0)
     share = np.where(np.isinf(frequency), 1.0, share)
     if waves == 0.0:
-        return disc_overlap_area(2.0 * share, 1.0, 1.0) / np.pi
+        through = share < 1.0
+        factor = np.zeros_like(share)
+        factor[through] = disc_overlap_area(2.0 * share[through], 1.0, 1.0) / np.pi
+        return factor
     widest = np.arctan2(np.sqrt((1.0 - share) * (1.0 + share)), share)  # all digits of it near 1
     nodes, weights = _quadrature()
     angle = widest[..., None] * nodes

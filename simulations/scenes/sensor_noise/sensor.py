@@ -3,7 +3,7 @@ picture."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 from itertools import repeat
 from typing import cast
 
@@ -213,6 +213,13 @@ def room_light() -> Floats:
     return np.ascontiguousarray(light.transpose(1, 2, 0))
 
 
+@lru_cache(maxsize=3)
+def room_grain(seed: tuple[int, ...], count: int) -> NDArray[np.float32]:
+    """(count, 160, 240, 3) standard normal deviates."""
+    rng = np.random.default_rng(seed)
+    return rng.standard_normal((count, *room_light().shape), np.float32)
+
+
 def room(
     exposure: float,
     iso: str,
@@ -224,15 +231,16 @@ def room(
 ) -> Raster:
     """The room by this sensor, its three colours counted by cells of their own."""
     light, quiet = room_light(), sensor_of(bits, iso, 0.0)
-    rng, cells = np.random.default_rng((new_noise, ROOM)), np.random.default_rng(CELLS)
     mean_e = np.float32(FULL_WELL_E * 2.0**exposure) * light
     if unequal:
-        mean_e *= 1 + np.float32(unequal / 100) * cells.standard_normal(light.shape, np.float32)
-    shot, amplifier = (rng.standard_normal(light.shape, np.float32) for _ in range(2))
+        (cells,) = room_grain((CELLS,), 1)
+        mean_e *= 1 + np.float32(unequal / 100) * cells
+    shot, amplifier = room_grain((new_noise, ROOM), 2)
     counted = photon_counting.shot_noise_from_normal(
         np.maximum(mean_e, 0) + np.float32(dark), shot, FULL_WELL_E
     )
-    signal = photon_counting.read_out(counted + np.float32(read_noise) * amplifier, quiet, rng)
+    noisy = counted + np.float32(read_noise) * amplifier
+    signal = photon_counting.read_out(noisy, quiet, np.random.default_rng(0))
     return opaque(colour_of_code(bits)[:, 0][photon_counting.quantise(signal, bits)])
 
 
