@@ -25,19 +25,17 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
     picture = np.asarray(srgb)
     if picture.ndim == 2:
         picture = picture[..., None]
-    height, width = picture.shape[:2]
-    rgba = np.empty((height, width, 4), np.uint8)
-    codes = np.broadcast_to(_to_uint8(picture), (height, width, 3))
-    for channel in range(3):  # faster than all channels in one assignment
-        rgba[..., channel] = codes[..., channel]
-    rgba[..., 3] = 255 if alpha is None else _to_uint8(np.asarray(alpha))
+    rgba = opaque(np.broadcast_to(_to_uint8(picture), (*picture.shape[:2], 3)))
+    if alpha is not None:
+        rgba[..., 3] = _to_uint8(np.asarray(alpha))
     return rgba
 
 
 def opaque(codes: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """(H, W, 4) canvas bytes of (H, W, 3) codes."""
     rgba = np.full((*codes.shape[:2], 4), 255, np.uint8)
-    rgba[..., :3] = codes
+    for channel in range(3):  # faster than all channels in one assignment
+        rgba[..., channel] = codes[..., channel]
     return rgba
 
 

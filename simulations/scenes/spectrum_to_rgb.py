@@ -13,8 +13,8 @@ from simulations.engine.drafting import tinted
 from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.instrument import Instrument
-from simulations.engine.photograph import Photograph
-from simulations.engine.raster import to_rgba8
+from simulations.engine.photograph import Codes, Photograph
+from simulations.engine.raster import opaque
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice
 from simulations.engine.stages import Outputs, Stage
@@ -23,7 +23,7 @@ from simulations.models.color.chromaticity import lab_distance
 from simulations.models.color.cie import xyz_to_lab, xyz_to_linear_rgb
 from simulations.models.color.observer import OBSERVER, tristimulus
 from simulations.models.color.spectra import WAVELENGTHS_NM
-from simulations.models.color.srgb import decode_srgb, encode_srgb, encode_srgb_table
+from simulations.models.color.srgb import decode_srgb, encode_srgb, encode_srgb_codes
 from simulations.models.color.white_balance import white_balance
 from simulations.models.sensor.camera_colour import camera_curves, exposed, fit_colour_matrix
 from simulations.pictures.photographs import coffee
@@ -98,22 +98,31 @@ def picture(colours: Colours, twin: bool) -> Raster:
     return CHART.paint(steps, twin=twin)
 
 
+def photograph_by_day(photograph: Photograph | None) -> tuple[Codes, Floats]:
+    """(160, 200, 3) codes of a photograph, and its linear sRGB."""
+    codes = photograph.codes if photograph else coffee.codes()
+    return codes, decode_srgb(np.float32(1 / 255) * codes)
+
+
 def pictures(
-    light: Floats, curves: Floats, fitted: Floats, colours: Colours, photograph: Photograph | None
+    by_day: tuple[Codes, Floats],
+    light: Floats,
+    curves: Floats,
+    fitted: Floats,
+    colours: Colours,
 ) -> Raster:
     """(320, 400, 4) a photograph in the four steps of `ROWS`.
 
     Each of its pixels is taken for the mixture of `PAINTS` that looks so by day. The three numbers
     of any other sensor, in any light, are then a matrix times the values of the pixel.
     """
-    codes = photograph.codes if photograph else coffee.codes()
-    by_day = decode_srgb(np.float32(1 / 255) * codes)
     mixture = np.linalg.inv(xyz_to_linear_rgb(tristimulus(PAINTS * DAYLIGHT, DAYLIGHT)))
-    raw = by_day @ (mixture @ exposed(PAINTS * light, curves, light)).astype(np.float32)
+    codes, linear = by_day
+    raw = linear @ (mixture @ exposed(PAINTS * light, curves, light)).astype(np.float32)
     balanced = raw * colours.gains.astype(np.float32)
     srgb = balanced @ xyz_to_linear_rgb(fitted.T).astype(np.float32)
-    rows = (np.hstack((raw, balanced)), np.hstack((srgb, by_day)))
-    return to_rgba8(encode_srgb_table(np.clip(np.vstack(rows), 0.0, 1.0)))
+    shown = [encode_srgb_codes(step) for step in (raw, balanced, srgb)]
+    return opaque(np.vstack((np.hstack(shown[:2]), np.hstack((shown[2], codes)))))
 
 
 def step_names() -> str:
@@ -133,7 +142,8 @@ STAGES = (
     Stage("matrix", fitted, ("curves", "light")),
     Stage("colours", colours_of, ("light", "pairs", "curves", "matrix")),
     Stage("picture", picture, ("colours",)),
-    Stage("photographs", pictures, ("light", "curves", "matrix", "colours")),
+    Stage("by day", photograph_by_day),
+    Stage("photographs", pictures, ("by day", "light", "curves", "matrix", "colours")),
 )
 
 
