@@ -2,6 +2,7 @@
 
 import struct
 import zlib
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -33,9 +34,14 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
 
 def opaque(codes: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """(H, W, 4) canvas bytes of (H, W, 3) codes."""
-    rgba = np.full((*codes.shape[:2], 4), 255, np.uint8)
-    for channel in range(3):  # faster than all channels in one assignment
-        rgba[..., channel] = codes[..., channel]
+    return of_planes(np.moveaxis(codes, -1, 0))
+
+
+def of_planes(planes: Sequence[NDArray[np.uint8]] | NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """(H, W, 4) canvas bytes of three planes (H, W) of codes."""
+    rgba = np.full((*planes[0].shape, 4), 255, np.uint8)
+    for channel, plane in enumerate(planes):  # faster than all channels in one assignment
+        rgba[..., channel] = plane
     return rgba
 
 

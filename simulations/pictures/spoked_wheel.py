@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import opaque
 from simulations.models.arrays import Floats, Mask, centred
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.require import as_whole
 from simulations.pictures.stagecoach import stagecoach
 
@@ -41,7 +41,7 @@ class Canvas:
     solid: Floats
     """(H, W) share of each pixel that rim or hub cover."""
     behind: Floats
-    """(n, 3) linear light behind the spokes at those pixels, with rim and hub over it."""
+    """(3, n) linear light behind the spokes at those pixels, with rim and hub over it."""
     still: NDArray[np.uint8]
     """(H, W, 4) bytes of all without the spokes."""
 
@@ -59,14 +59,14 @@ def build_canvas() -> Canvas:
     tyre = _inside(radius, RADIUS) - _inside(radius, RADIUS - TYRE)
     for cover, colour in ((solid, WOOD), (tyre, IRON)):
         light += cover[..., None].astype(np.float32) * (colour - light)
-    still = to_rgba8(encode_srgb_table(light))
+    still = opaque(encode_srgb_codes(light))
     radii = np.maximum(radius[between], HUB / 2)
     return Canvas(
         between=between,
         angle_rad=angle[between],
         radius=radii,
         solid=solid,
-        behind=light[between],
+        behind=np.ascontiguousarray(light[between].T),
         still=still,
     )
 
@@ -132,10 +132,11 @@ def render(
     ``swept_rad``, of either sign, while the shutter is open.
     """
     share = exposure(bars(canvas, spokes, first_angle_rad, swept_rad))
-    cover = (share * (1.0 - canvas.solid[canvas.between])).astype(np.float32)[:, None]
-    light = canvas.behind + cover * (WOOD - canvas.behind)
+    cover = (share * (1.0 - canvas.solid[canvas.between])).astype(np.float32)
     picture = canvas.still.copy()
-    picture[canvas.between] = to_rgba8(encode_srgb_table(light)[None])[0]
+    for channel, (wood, behind) in enumerate(zip(WOOD, canvas.behind, strict=True)):
+        light = behind + cover * (wood - behind)
+        picture[canvas.between, channel] = encode_srgb_codes(light)
     return picture
 
 

@@ -20,9 +20,9 @@ from simulations.engine.accuracy import tiers
 from simulations.engine.drawing import Point, cased, circle, dot, line, polyline, text
 from simulations.engine.frame import Panel, Raster, Readout, format_magnitude
 from simulations.engine.handles import Handle
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes, to_rgba8
 from simulations.models.arrays import Floats, Mask
-from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.color.srgb import encode_srgb, encode_srgb_codes
 from simulations.models.error_measures import root_mean_square
 from simulations.models.light.cell_blending import blend_cells, blend_normals
 
@@ -191,16 +191,17 @@ def light_of_pixels(light: Floats, body: Body) -> Floats:
 
 
 def paint(body: Body, linear: Floats) -> NDArray[np.uint8]:
-    """The bytes (H, W, 4) of (h, w) or (h, w, 3) light. Only the rim mixes body and wall."""
+    """The bytes (H, W, 4) of light, (h, w) or three planes of it. Only the rim mixes body and
+    wall."""
     picture = body.backdrop.copy()
     square = picture[body.square]
-    codes = to_rgba8(encode_srgb_table(linear))
+    shown = np.broadcast_to(encode_srgb_codes(linear), (3, *body.inner.shape))
     # Pixels are copied as one number of four bytes, which is faster than with a mask.
-    whole, shown_whole = (rgba.view(np.uint32)[..., 0] for rgba in (square, codes))
+    whole, shown_whole = (rgba.view(np.uint32)[..., 0] for rgba in (square, of_planes(shown)))
     np.copyto(whole, shown_whole, where=body.inner)
-    on_rim = linear[body.rim].reshape(len(body.behind_rim), -1)
+    on_rim = linear[..., body.rim].reshape(-1, len(body.behind_rim)).T
     mixed = body.behind_rim + body.rim_coverage * (on_rim - body.behind_rim)
-    square[body.rim] = to_rgba8(encode_srgb_table(mixed)[None])[0]
+    square[body.rim, :3] = encode_srgb_codes(mixed)
     return picture
 
 

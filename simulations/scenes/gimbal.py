@@ -31,14 +31,14 @@ from simulations.engine.frame import (
 )
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.clipping import runs_inside
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import opaque
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.space.orbit import turning
 from simulations.engine.space.view import View, runs
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
 from simulations.scenes._turned_camera import draw_body, nearest, view_from
@@ -238,7 +238,7 @@ def draw_sky(pan: float, tilt: float, roll: float, columns: int) -> Raster:
     light[low] = GROUND
     paved = down > 0.04
     light[paved] += _slabs(right[paved], down[paved], ahead[paved])[:, None] * PAVING
-    return to_rgba8(encode_srgb_table(light))
+    return opaque(encode_srgb_codes(light))
 
 
 def _slabs(right: Floats, down: Floats, ahead: Floats) -> Floats:

@@ -7,18 +7,20 @@ section; along it nothing is to scale.
 """
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from simulations.engine import drawing
 from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Outputs, Stage
-from simulations.models.arrays import Planes
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.arrays import Floats, Planes
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.lens.pinhole import pinhole_transfer, spread_mm
 from simulations.pictures.balloon import HEIGHT, WIDTH, balloon
 
@@ -49,14 +51,22 @@ def share_of_light(hole: float) -> float:
     return (hole / WIDEST_MM) ** 2
 
 
-def blurred(hole: float) -> Planes:
-    """The picture (3, H, W) through the hole, as bright as the scene."""
+@cache
+def waves() -> tuple[Floats, NDArray[np.complexfloating]]:
+    """Frequencies (H, W) of the waves of a wider picture, in cycles per mm, and its spectrum (3, H,
+    W)."""
     pad = ((0, 0), (MARGIN, MARGIN), (MARGIN, MARGIN))
     planes = np.pad(balloon().transpose(2, 0, 1), pad, mode="edge")
     rows, columns = planes.shape[1:]
-    at = np.hypot(np.fft.fftfreq(rows, PIXEL_MM)[:, None], np.fft.rfftfreq(columns, PIXEL_MM))
+    down, across = np.fft.fftfreq(rows, PIXEL_MM), np.fft.rfftfreq(columns, PIXEL_MM)
+    return np.hypot(down[:, None], across), np.fft.rfft2(planes)
+
+
+def blurred(hole: float) -> Planes:
+    """The picture (3, H, W) through the hole, as bright as the scene."""
+    at, unblurred = waves()
     table = np.linspace(0.0, float(at.max()), 600)
-    spectrum = np.fft.rfft2(planes)
+    spectrum, rows, columns = unblurred.copy(), HEIGHT + 2 * MARGIN, WIDTH + 2 * MARGIN
     for plane, wavelength in zip(spectrum, WAVELENGTHS_UM, strict=True):
         plane *= np.interp(at, table, pinhole_transfer(table, hole, DEPTH_MM, wavelength))
     whole = np.fft.irfft2(spectrum, s=(rows, columns))
@@ -67,7 +77,7 @@ def blurred(hole: float) -> Planes:
 def picture(blurred: Planes, hole: float, longer: bool) -> Raster:
     """Rotated by 180°, in the brightness of the light through the hole."""
     light = blurred if longer else blurred * np.float32(share_of_light(hole))
-    return to_rgba8(encode_srgb_table(light[:, ::-1, ::-1].transpose(1, 2, 0)))
+    return of_planes(encode_srgb_codes(light)[:, ::-1, ::-1])
 
 
 def beam(role: str, side: float, half: float, spread: float) -> str:

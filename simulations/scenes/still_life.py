@@ -13,12 +13,12 @@ from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Raster, format_number
 from simulations.engine.handles import Handle, Point
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.projection import pinhole
 from simulations.world.depth import ray_depth
 from simulations.world.layers import LitScene
@@ -69,7 +69,7 @@ def defocus(lit: LitScene, aperture: float, focus: float, columns: int) -> LitSc
 
 
 def picture(lit: LitScene, enlarged: float) -> Raster:
-    return to_rgba8(encode_srgb_table(overlay(lit, enlarged).transpose(1, 2, 0)))
+    return of_planes(encode_srgb_codes(overlay(lit, enlarged)))
 
 
 def tangents(place: Point) -> Point:

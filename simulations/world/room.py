@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from simulations.engine.accuracy import columns
 from simulations.engine.frame import Raster
+from simulations.engine.raster import of_planes
 from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.projection.pinhole import intrinsics
@@ -77,10 +78,8 @@ def photograph(focal: float, world_to_camera: ArrayLike, columns: int) -> Raster
     """A picture, 4 : 3, with the principal point in its middle; ``focal`` is in its pixels."""
     rows = columns * 3 // 4
     K = intrinsics(focal, ((columns - 1) / 2, (rows - 1) / 2))
-    picture = np.full((rows, columns, 4), 255, np.uint8)
-    for channel, plane in enumerate(light_of(K, world_to_camera, columns, rows)):
-        picture[..., channel] = encode_srgb_codes(plane)
-    return picture
+    light = light_of(K, world_to_camera, columns, rows)
+    return of_planes([encode_srgb_codes(plane) for plane in light])
 
 
 def light_of(

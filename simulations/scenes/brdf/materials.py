@@ -15,7 +15,7 @@ from simulations.engine.drawing import Point, text
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.color.srgb import encode_srgb, encode_srgb_codes, encode_srgb_table
 from simulations.models.light.brdf import Material, parts
 from simulations.scenes._ball import HEIGHT, WIDTH, light_direction, named, outlined_dot
 
@@ -43,7 +43,7 @@ class Sphere:
     """The pixels of a square around a sphere."""
 
     normals: Floats  # (n, n, 3) unit normals; z towards the camera
-    cover: Floats  # (n * n, 1) share of the pixel that the sphere covers
+    cover: Floats  # (n * n,) share of the pixel that the sphere covers
     unlit: Raster  # (n, n, 4) bytes of the square with a black sphere
 
 
@@ -53,8 +53,8 @@ class LitSphere:
 
     pixels: NDArray[np.intp]
     """(N,) indices into the flattened square of the pixels that the lamp reaches."""
-    matte: Floats  # (N, 1) the matte part, for an albedo of 1
-    mirrored: Floats  # (N, 1) the specular part
+    matte: Floats  # (N,) the matte part, for an albedo of 1
+    mirrored: Floats  # (N,) the specular part
 
 
 def sphere(radius_px: float) -> Sphere:
@@ -68,7 +68,7 @@ def sphere(radius_px: float) -> Sphere:
     cover = np.clip((1.0 - distance) * radius_px + 0.5, 0.0, 1.0)
     wall = encode_srgb_table(WALL * (1.0 - cover[..., None]))
     normals = np.stack([x / outer, y / outer, z], axis=-1)
-    return Sphere(normals, cover.reshape(-1, 1), to_rgba8(wall))
+    return Sphere(normals, cover.ravel(), to_rgba8(wall))
 
 
 BALL, SAMPLE = sphere(RADIUS * FINE), sphere(SMALL * FINE)
@@ -80,12 +80,12 @@ def lit_sphere(
     """The sphere in the light of the lamp; the camera is in front."""
     to_light = light_direction(light_angle - view_angle).astype(np.float32)
     shade = (of.normals @ to_light).ravel()
-    pixels = np.flatnonzero((shade > 0) & (of.cover[:, 0] > 0))
+    pixels = np.flatnonzero((shade > 0) & (of.cover > 0))
     arriving, facing = shade[pixels], of.normals[..., 2].ravel()[pixels]
     material = Material(1.0, specular, roughness)
     matte, mirrored = parts(model, material, arriving, facing, to_light[2])
     arriving *= np.float32(np.pi)
-    return LitSphere(pixels, (matte * arriving)[:, None], (mirrored * arriving)[:, None])
+    return LitSphere(pixels, matte * arriving, mirrored * arriving)
 
 
 def samples() -> Iterator[tuple[float, float]]:
@@ -121,10 +121,11 @@ def with_ball(chart: Raster, light: LitSphere, albedo: float) -> Raster:
 
 def paste(picture: Raster, of: Sphere, light: LitSphere, albedo: float, middle: Point) -> None:
     """Put the square of a sphere, with the wall around it, into the picture."""
-    linear = light.mirrored + light.matte * (np.float32(albedo) * TINT)
-    mixed = WALL + of.cover[light.pixels] * (linear - WALL)
-    raster = of.unlit.copy()
-    raster.reshape(-1, 4)[light.pixels] = to_rgba8(encode_srgb_table(mixed)[None])[0]
+    raster, cover = of.unlit.copy(), of.cover[light.pixels]
+    for channel, (tint, wall) in enumerate(zip(np.float32(albedo) * TINT, WALL, strict=True)):
+        linear = light.mirrored + light.matte * tint
+        mixed = wall + cover * (linear - wall)
+        raster.reshape(-1, 4)[light.pixels, channel] = encode_srgb_codes(mixed)
     size = len(raster)
     left, top = (round(FINE * each - size / 2) for each in (middle[0], middle[1]))
     picture[top : top + size, left : left + size] = raster

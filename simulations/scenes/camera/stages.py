@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from simulations.engine.accuracy import Level
 from simulations.engine.controls import Value
 from simulations.engine.frame import Raster
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes, to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb
@@ -215,21 +215,13 @@ BYTE_OF_ROOT = srgb_bytes((np.arange(ROOTS + 1) / ROOTS) ** 2)
 
 def encode(codes: NDArray[np.uint16]) -> Raster:
     """The photograph."""
-    return opaque_picture(BYTE_OF_CODE[codes])
+    return of_planes(BYTE_OF_CODE[codes])
 
 
 def develop_ideal(mean_e: Planes) -> Raster:
     """The photograph of a sensor without noise and quantisation, the reference of the PSNR."""
     root = np.sqrt(np.minimum(mean_e, FULL_WELL_E)) * np.float32(ROOTS / math.sqrt(FULL_WELL_E))
-    return opaque_picture(BYTE_OF_ROOT[np.rint(root).astype(np.uint16)])
-
-
-def opaque_picture(planes: NDArray[np.uint8]) -> Raster:
-    """Opaque bytes of a canvas from (3, rows, columns)."""
-    picture = np.full((*planes.shape[1:], 4), 255, np.uint8)
-    for channel, plane in enumerate(planes):
-        picture[..., channel] = plane
-    return picture
+    return of_planes(BYTE_OF_ROOT[np.rint(root).astype(np.uint16)])
 
 
 STAGES = (

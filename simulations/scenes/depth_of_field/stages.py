@@ -15,10 +15,10 @@ import numpy as np
 from simulations.engine.accuracy import Level
 from simulations.engine.controls import Value
 from simulations.engine.frame import Raster, Readout, format_number
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Planes
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture import aperture_grid, fibonacci_disc
@@ -162,7 +162,7 @@ def rays_through_lens(
 
 def encode(light: Planes) -> Raster:
     """Canvas bytes of linear light (3, H, W)."""
-    return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
+    return of_planes(encode_srgb_codes(light))
 
 
 def repeated_raster(light: Planes, repeated: int) -> Raster:

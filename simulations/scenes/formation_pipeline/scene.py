@@ -16,7 +16,7 @@ from simulations.engine import drawing
 from simulations.engine.drafting import swatch, swatch_polygon
 from simulations.engine.frame import Frame, Panel, Raster, readout
 from simulations.engine.handles import Handle, Point
-from simulations.engine.raster import opaque
+from simulations.engine.raster import of_planes
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
@@ -91,7 +91,7 @@ def picture() -> Raster:
     columns, rows, height = (round(FINER * size) for size in (WIDTH, ROOM_ROWS, HEIGHT))
     lit = light_of(K, ROOM_POSE, columns, rows, Lighting(math.degrees(math.acos(LAMP_COS / level))))
     raster = np.zeros((height, columns, 4), np.uint8)  # the part below the room is empty
-    raster[:rows] = opaque(np.stack([encode_srgb_codes(plane) for plane in lit], axis=-1))
+    raster[:rows] = of_planes([encode_srgb_codes(plane) for plane in lit])
     return raster
 
 

@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 
 from simulations.engine.frame import Raster, Readout, format_magnitude
 from simulations.engine.photograph import Photograph
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Planes, centred
-from simulations.models.color.srgb import decode_srgb, encode_srgb_table
+from simulations.models.color.srgb import decode_srgb, encode_srgb_codes
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.chromatic_aberration import (
     LINE_C_UM,
@@ -188,7 +188,7 @@ def vignetting(aperture: float, rim: float, natural: bool) -> NDArray[np.float32
 
 
 def encode(planes: Planes, factor: Floats) -> Raster:
-    return to_rgba8(encode_srgb_table(np.clip(planes * factor, 0, 1).transpose(1, 2, 0)))
+    return of_planes(encode_srgb_codes(planes * factor))
 
 
 STAGES = (

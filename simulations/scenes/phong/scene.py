@@ -77,9 +77,9 @@ def highlight(
 
 
 def matte_light(normals: Floats, body: Body, light_angle: float) -> Floats:
-    """(h, w, 3) linear light of the vase without its highlight."""
+    """(3, h, w) linear light of the vase without its highlight."""
     cosines = _ball.light_of_pixels(lambert(normals, light_direction(light_angle)), body)
-    return cosines[..., None] * ALBEDO
+    return np.multiply.outer(ALBEDO, cosines)
 
 
 def shine(normals: Floats, body: Body, light_angle: float, shininess: float, model: str) -> Floats:
@@ -88,8 +88,8 @@ def shine(normals: Floats, body: Body, light_angle: float, shininess: float, mod
 
 
 def add(matte: Floats, shine: Floats, specular: float) -> Floats:
-    """(h, w, 3) linear light of both."""
-    return matte + np.float32(specular) * shine[..., None]
+    """(3, h, w) linear light of both."""
+    return matte + np.float32(specular) * shine
 
 
 def no_highlight(specular: float, light_angle: float) -> str:
@@ -128,7 +128,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     """Error of the red light of this picture against the chosen formula in float64."""
     body, model = outputs["body"], settings.model
     truth = true_light(body, settings.light_angle, model, settings.shininess, settings.specular)
-    yield _ball.rms_error(body, outputs["light"][..., 0], truth)
+    yield _ball.rms_error(body, outputs["light"][0], truth)
 
 
 def half_width_rad(model: str, shininess: float) -> float:

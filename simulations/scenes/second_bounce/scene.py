@@ -16,12 +16,12 @@ from simulations.engine.frame import Frame, Panel, Raster, format_number, readou
 from simulations.engine.handles import Handle
 from simulations.engine.plotting import Axis, Plot, Scale
 from simulations.engine.plotting.legend import Entry, legend
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.light.interreflection import CELLS, bounced, exchange
 from simulations.scenes._ball import lamp, named, outlined_dot
 from simulations.scenes.second_bounce import room
@@ -142,7 +142,8 @@ def picture(light: Light, by_lamp: Floats, albedo: float, wall: str, columns: in
     radiance = albedos[view.wall] * (by_lamp + arriving)
     radiance[view.borders] = radiance[view.around].mean(axis=0)
     side = round(math.sqrt(len(radiance)))
-    return to_rgba8(encode_srgb_table(radiance)[:, [0, 1, 1]].reshape(side, side, 3))
+    red, others = encode_srgb_codes(radiance.T).reshape(2, side, side)
+    return of_planes((red, others, others))
 
 
 def first_picture(first: Light, by_lamp: Floats, albedo: float, wall: str, columns: int) -> Raster:

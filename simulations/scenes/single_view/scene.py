@@ -13,11 +13,11 @@ from simulations.engine.frame import Frame, Panel, Raster
 from simulations.engine.handles import Handle, Point
 from simulations.engine.instrument import Instrument
 from simulations.engine.photograph import Codes, Photograph, Whole
-from simulations.engine.raster import opaque, to_rgba8
+from simulations.engine.raster import opaque
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.projection.single_view import fit_view
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.single_view import drawing, files, measuring
@@ -46,7 +46,7 @@ def photo(picture: str, photograph: Photograph | None) -> Codes:
     if photograph is not None:
         return photograph.codes
     room = checker_room(*SIZE, FOCAL_PX, ROOMS[picture].turn)
-    return to_rgba8(encode_srgb_table(room))[..., :3]
+    return encode_srgb_codes(room)
 
 
 def small(photo: Codes) -> Raster:

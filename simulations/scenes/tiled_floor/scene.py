@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.handles import Handle, Point
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import opaque
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.projection.level_ground import ground_to_image
 from simulations.models.projection.vanishing import angle_between, vanishing_point
 from simulations.pictures.tiled_floor import Box, tiled_floor, with_box
@@ -95,7 +95,7 @@ def photograph(
 ) -> Raster:
     box = Box(box_x, box_y, BOX_WIDTH_M, box_height)
     K = drawn_intrinsics(view, columns)
-    return to_rgba8(encode_srgb_table(with_box(floor, view.pose, K, box)))
+    return opaque(encode_srgb_codes(with_box(floor, view.pose, K, box)))
 
 
 def wider(photograph: Raster) -> Raster:
