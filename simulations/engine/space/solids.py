@@ -145,8 +145,8 @@ def _pieces(n: int, solid: Solid, places: list[list[float]]) -> Iterator[_Piece]
 
 def _face(places: list[list[float]], role: str, washes: int) -> str:
     """The face in the colour of paper, then in ``washes`` layers of the role's colour."""
-    wash = drawing.polygon(places, f"{role} thin fill")
-    return drawing.polygon(places, "casing solid") + wash * washes
+    shape = drawing.polygon(places, "{}")
+    return shape.format("casing solid") + shape.format(f"{role} thin fill") * washes
 
 
 def _joined(segments: Iterable[tuple[list[float], list[float]]]) -> list[list[list[float]]]:
