@@ -91,7 +91,7 @@ GALAXY = np.array([0.48, -0.36, 0.80])
 class Settings:
     pan: float = slider("Pan ψ", 60, -180, 180, 1, unit="°")
     tilt: float = slider("Tilt τ", 30, -90, 90, 1, unit="°")
-    roll: float = slider("Roll ρ", -20, -180, 180, 1, unit="°")
+    roll: float = slider("Roll γ", -20, -180, 180, 1, unit="°")
     azimuth: float = slider("View azimuth", 51, -180, 180, 1, unit="°")
     elevation: float = slider("View elevation", 28, -90, 90, 1, unit="°")
 

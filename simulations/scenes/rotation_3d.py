@@ -62,7 +62,7 @@ class Settings:
     play: int = action("Play", "Pause", drives="t", effect="play", seconds=6.0)
     pan: float = slider("Pan ψ at the end", 120, -180, 180, 1, unit="°")
     tilt: float = slider("Tilt τ at the end", 60, -90, 90, 1, unit="°")
-    roll: float = slider("Roll ρ at the end", 75, -180, 180, 1, unit="°")
+    roll: float = slider("Roll γ at the end", 75, -180, 180, 1, unit="°")
     azimuth: float = slider("View azimuth", 51, -180, 180, 1, unit="°")
     elevation: float = slider("View elevation", 28, -90, 90, 1, unit="°")
 
