@@ -131,14 +131,14 @@ def check(form: Locator, expected_verdict: str) -> None:
 def test_figure_question_is_graded_at_its_settings_and_only_with_python(
     visitor: Reader, plain_reader: Reader, book: Any
 ) -> None:
-    quiz = next(q for q in questions(book, "figure") if q["id"] == "corner-twenty-inwards")
+    quiz = next(q for q in questions(book, "figure") if q["id"] == "fold-at-the-corner")
     visitor.turn_to(url_of(book, quiz))
     form = form_of(visitor, quiz)
     assert form.get_attribute("data-figure") == quiz["figure"]
     check(form, "wrong")
     slider = visitor.page.locator(f"#{quiz['figure']} input[name=k1]")
     slider.focus()
-    while float(slider.input_value()) > -0.1:
+    while float(slider.input_value()) > -0.33:
         visitor.page.keyboard.press("ArrowLeft")
     check(form, "correct")
     form = open_question(plain_reader, book, quiz)
