@@ -62,3 +62,20 @@ def blue_light_in_the_red_shadow() -> Phrases:
     )
     assert (1 - dark / lit)[lamp[floor] == 0].min() > 2 / 3
     yield "Of its little blue light, more than two thirds come by way of the white ceiling"
+
+
+def light_of_a_rough_ball_at_half_moon() -> Phrases:
+    """Oren and Nayar's shorter formula over the disc, lamp at 90° against lamp at the eye."""
+    x, y = np.meshgrid(np.linspace(-1, 1, 400), np.linspace(-1, 1, 400))
+    normals = np.stack([x, y, np.sqrt(np.maximum(1 - x * x - y * y, 0))], -1)[x * x + y * y < 1]
+    spread, sent = radians(40) ** 2, []
+    for light in (np.array((1.0, 0, 0)), FRONT):
+        cosines = np.clip(normals @ light, 0, 1), normals @ FRONT
+        across = [light, FRONT] - np.stack(cosines, -1)[..., None] * normals[:, None]
+        lengths = np.linalg.norm(across, axis=-1).prod(-1)
+        turn = np.maximum(across.prod(1).sum(-1), 0) / np.maximum(lengths, 1e-12)
+        far, near = np.arccos(np.minimum(*cosines)), np.arccos(np.maximum(*cosines))
+        flat = 1 - 0.5 * spread / (spread + 0.33)
+        rough = 0.45 * spread / (spread + 0.09) * turn * np.sin(far) * np.tan(near)
+        sent.append(np.sum(cosines[0] * (flat + rough)))
+    yield f"one by Oren and Nayar {100 * sent[0] / sent[1]:.0f} %"
