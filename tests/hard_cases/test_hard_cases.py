@@ -79,6 +79,13 @@ def test_library_gives_the_answer_that_the_book_prints(table: HardCases) -> None
         assert show(got) == case.library_answer, case.library
 
 
+def test_book_names_the_versions_that_answer() -> None:
+    text = (CONTENT / "15-hard-cases.md").read_text("utf-8")
+    named = {"OpenCV": cv2, "SciPy": scipy, "NumPy": np, "scikit-image": skimage}
+    for name, library in named.items():
+        assert f"{name} {'.'.join(library.__version__.split('.')[:2])}" in text
+
+
 def test_book_prints_every_table_and_known_values_have_one() -> None:
     text = "".join(file.read_text("utf-8") for file in CONTENT.glob("*.md"))
     tables = {table.id for table in hard_cases()}

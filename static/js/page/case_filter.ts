@@ -1,5 +1,6 @@
 /**
- * A field above the tables of hard cases that shows only the cases with the words typed into it.
+ * A field above the tables of hard cases that shows only the cases with the words typed into it. It
+ * offers the functions that were asked.
  * The tables are complete, and closed, without it.
  */
 
@@ -20,9 +21,14 @@ export function setUpPage() {
   const field = element("form", "case-filter row fine screen");
   field.role = "search";
   field.innerHTML =
-    '<label><span></span> <input type="search"></label> <span role="status"></span>';
+    '<label><span></span> <input type="search" list="case-functions"></label>' +
+    '<datalist id="case-functions"></datalist> <span role="status"></span>';
   field.addEventListener("submit", (event) => event.preventDefault());
   find(field, "label > span", HTMLElement).textContent = words("extremes.filter");
+  const calls = findAll(document, ".extremes td:first-child > code", HTMLElement);
+  const functions = new Set(calls.flatMap((call) => /^[\w.]+\(/.exec(call.textContent) ?? []));
+  const offered = [...functions].sort().map((name) => new Option("", name));
+  find(field, "datalist", HTMLDataListElement).append(...offered);
   first.before(field);
 }
 
