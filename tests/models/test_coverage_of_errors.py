@@ -166,6 +166,7 @@ PICTURES: dict[str, dict[str, float]] = {
     "barrel, ends of lines alone": {"k1": -0.05},
     "ends off by 3 px, said to be 1": {"sigma": 3.0},
     "barrel −0.03, ends off by 3 px": {"k1": -0.03, "sigma": 3.0, "edge_px": 0.5},
+    "walls 3° off square": {"calibrated": 1.0, "off_deg": 3.0},
 }
 
 
@@ -173,7 +174,8 @@ def picture(rng: np.random.Generator, world: dict[str, float], _side: int) -> Sc
     """Scores from four lines along each axis of a room and three lengths, one of them known."""
     lens = PictureLens(CENTRE, (FOCAL, FOCAL), Distortion(k1=world.get("k1", 0.0)))
     pose, sigma = random_pose(rng), world.get("sigma", 1.0)
-    ends, axes = lines_along_axes(pose, rng)
+    off = math.radians(world.get("off_deg", 0.0))
+    ends, axes = lines_along_axes(pose, rng, off_square=off * rng.choice((-1, 1)))
 
     def clicked(straight: Floats) -> Floats:
         return lens.bent(straight) + rng.normal(0, sigma, straight.shape)

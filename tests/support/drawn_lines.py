@@ -29,15 +29,19 @@ def lines_along_axes(
     counts: tuple[int, int, int] = (4, 4, 4),
     shortest: float = 150.0,
     K: Floats = K,
+    off_square: float = 0.0,
 ) -> tuple[Floats, Floats]:
-    """The ends (N, 2, 2) in pixels of lines in the image, without noise, and their axes (N,)."""
+    """The ends (N, 2, 2) in pixels of lines in the image, without noise, and their axes (N,); the
+    first axis is turned by ``off_square``, in radians, towards the second."""
+    directions = np.eye(3)
+    directions[0] = math.cos(off_square), math.sin(off_square), 0.0
     ends, axes = [], []
     for axis, count in enumerate(counts):
         found = 0
         while found < count:
             pixel, depth = rng.uniform((0.0, 0.0), SIZE), rng.uniform(2.0, 8.0)
             start = invert_pose(pose) @ [*(depth * np.linalg.inv(K) @ [*pixel, 1.0]), 1.0]
-            along = np.eye(3)[axis] * rng.uniform(0.5, 3.0)
+            along = directions[axis] * rng.uniform(0.5, 3.0)
             line = image_of(np.array([start[:3], start[:3] + along]), pose, K)
             if (line >= 0.0).all() and (line < SIZE).all() and math.dist(*line) > shortest:
                 ends.append(line)

@@ -5,9 +5,10 @@ The camera has square pixels. Its principal point is the middle of the picture, 
 a calibrated lens focal length and principal point are known, with their errors.
 
 All lines are fitted together: the axes' vanishing points are the columns of K R, so right angles
-hold by construction. Two directions and a fixed principal point leave nothing over, and the result
-is f² = −(v₁ − c)·(v₂ − c) with the vanishing points of `vanishing_lines.fit_vanishing_point`, but
-for `FOREKNOWN`.
+hold by construction; that of the axes 0 and 1 only within an error, if walls may be off square. Two
+directions and a fixed principal point leave nothing over, and the result is
+f² = −(v₁ − c)·(v₂ − c) with the vanishing points of `vanishing_lines.fit_vanishing_point`, but for
+`FOREKNOWN`.
 
 Camera frame and pixels as in `simulations.models.projection.pinhole`, axes of the world as in
 `simulations.models.projection.level_ground`.
@@ -46,6 +47,8 @@ a factor of seven of it. Where the lines tell f to 1 %, this changes it by less 
 they leave it open, it stays at a length that there is, with a large error."""
 BEND = 1e-6
 """Step of k₁ over which derivatives are taken."""
+STEPS = 8
+"""Numbers of a step of the camera, see `SingleView.moved`."""
 UNKNOWN = 1e-6
 """Information on other unknowns that counts as none."""
 
@@ -62,7 +65,9 @@ class SingleView:
     diagonal: float
     """Diagonal of the picture, in pixels."""
     covariance: Floats
-    """(7, 7) of a step, see `moved`; zero for a principal point that is fixed, or a known lens."""
+    """(8, 8) of a step, see `moved`; zero for what is fixed or known."""
+    lean: float = 0.0
+    """Radians by which the angle between the axes 0 and 1 is less than a right one."""
     misfit: float = 0.0
     """Sum of the squared residuals in units of σ²: about `spare` if the lines fit."""
     spare: int = 0
@@ -75,9 +80,20 @@ class SingleView:
         return intrinsics(self.focal_px, self.centre)
 
     @property
+    def axes(self) -> Floats:
+        """(3, 3) unit vectors along the three axes in the camera frame, in its columns."""
+        c, s = math.cos(0.5 * self.lean), math.sin(0.5 * self.lean)
+        return self.R @ np.array([[c, s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+    def normal(self, axis: int) -> Floats:
+        """(3,) unit vector at right angles to the other two axes, on the side of this one."""
+        across = np.linalg.inv(self.axes)[axis]
+        return np.asarray(across / np.linalg.norm(across))
+
+    @property
     def vanishing(self) -> Floats:
         """(3, 3) the vanishing points of the three axes, homogeneous, one a row."""
-        return np.asarray((self.K @ self.R).T)
+        return np.asarray((self.K @ self.axes).T)
 
     @property
     def vanishing_covariances(self) -> Floats:
@@ -98,8 +114,8 @@ class SingleView:
         return math.atan2(-x, -y)
 
     def moved(self, step: Floats) -> "SingleView":
-        """The camera after a step (7,) of ln f, of a turn in radians, of the principal point in
-        diagonals, and of the lens's k₁."""
+        """The camera after a step (8,) of ln f, of a turn in radians, of the principal point in
+        diagonals, of the lens's k₁, and of the lean in radians."""
         growth = float(np.clip(step[0], -0.5, 0.5))
         low, high = (share * self.diagonal for share in (SHORTEST, LONGEST))
         return replace(
@@ -111,12 +127,13 @@ class SingleView:
                 self.centre[1] + float(step[5]) * self.diagonal,
             ),
             lens=self.lens.moved(float(step[6])) if step[6] else self.lens,
+            lean=self.lean + float(step[7]),
         )
 
     def spread(self, quantity: Callable[["SingleView"], Floats | float]) -> Floats:
         """Standard errors (...) of numbers that the camera determines, to first order."""
         covariance = self.covariance
-        J = numerical_derivatives(lambda s: np.asarray(quantity(self.moved(s))), 7, covariance)
+        J = numerical_derivatives(lambda s: np.asarray(quantity(self.moved(s))), STEPS, covariance)
         return np.sqrt(np.einsum("...i,ij,...j->...", J, covariance, J))
 
 
@@ -128,6 +145,7 @@ def fit_view(
     *,
     find_centre: bool = False,
     lens: PictureLens = IDEAL,
+    off_square: float = 0.0,
 ) -> SingleView:
     """The likeliest camera for lines along the axes.
 
@@ -140,6 +158,7 @@ def fit_view(
     find_centre : whether to find the principal point as well; else it is the picture's middle.
     lens : what is known of its distortion. If k₁ has an error, it is found too. A calibrated lens
         has a focal length and a principal point, which the lines may move within their errors.
+    off_square : standard deviation of the angle between the axes 0 and 1, in radians.
 
     Returns
     -------
@@ -169,6 +188,7 @@ def fit_view(
         for axis in np.flatnonzero(counts >= 2)
     }
     free = [*range(6 if find_centre or centre_error else 4), *([6] if lens.error else [])]
+    free += [7] if off_square else []
 
     along_each = ends[:, 1] - ends[:, 0]
     across = np.stack([-along_each[:, 1], along_each[:, 0]], axis=1)
@@ -187,18 +207,21 @@ def fit_view(
         r, by_point = misses(view.lens, view.vanishing[along])
         J = _by_step(view, along, by_point)
         known = [math.log(view.focal_px / foreknown) / focal_error]
-        by_known = [np.eye(1, 7)[0] / focal_error]
+        by_known = [np.eye(1, STEPS)[0] / focal_error]
         if centre_error:
             known += [(view.centre[k] - middle[k]) / centre_error for k in range(2)]
-            by_known += [*np.eye(2, 7, 4) * diagonal / centre_error]
+            by_known += [*np.eye(2, STEPS, 4) * diagonal / centre_error]
         if lens.error:
             J[:, 6] = (misses(view.lens.moved(BEND), view.vanishing[along])[0] - r) / BEND
             known.append((view.lens.distortion.k1 - lens.distortion.k1) / lens.error)
-            by_known.append(np.eye(1, 7, 6)[0] / lens.error)
+            by_known.append(np.eye(1, STEPS, 6)[0] / lens.error)
+        if off_square:
+            known.append(view.lean / off_square)
+            by_known.append(np.eye(1, STEPS, 7)[0] / off_square)
         return np.append(r / sigma_px, known), np.vstack([J / sigma_px, by_known])[:, free]
 
     def moved(view: SingleView, step: Floats) -> SingleView:
-        whole = np.zeros(7)
+        whole = np.zeros(STEPS)
         whole[free] = step
         return view.moved(whole)
 
@@ -208,7 +231,7 @@ def fit_view(
             centre=middle,
             R=_turn(points, focal, middle),
             diagonal=diagonal,
-            covariance=np.zeros((7, 7)),
+            covariance=np.zeros((STEPS, STEPS)),
             lens=lens,
         )
         for focal in (
@@ -216,20 +239,21 @@ def fit_view(
         )
     ]
     start = min(starts, key=lambda view: float((residuals(view)[0] ** 2).sum()))
-    found = levenberg_marquardt(residuals, moved, start)
+    found = _upright(levenberg_marquardt(residuals, moved, start))
     r, J = residuals(found)
     misfit = float(r[: len(ends)] @ r[: len(ends)])
-    covariance = np.zeros((7, 7))
+    covariance = np.zeros((STEPS, STEPS))
     covariance[np.ix_(free, free)] = _covariance(J)
-    # What is known of k₁, and of a calibrated lens, counts for as many lines.
+    # What is known of k₁, of walls, and of a calibrated lens, counts for as many lines.
     spare = (
         len(ends)
         - len(free)
         + bool(lens.error)
+        + bool(off_square)
         + bool(lens.pinhole_errors)
         + 2 * bool(centre_error)
     )
-    return replace(_upright(found), covariance=covariance, misfit=misfit, spare=spare)
+    return replace(found, covariance=covariance, misfit=misfit, spare=spare)
 
 
 def focal_from_pair(first: ArrayLike, second: ArrayLike, centre: ArrayLike) -> float:
@@ -268,17 +292,19 @@ def numerical_derivatives(
 
 
 def _by_step(view: SingleView, along: Floats, by_point: Floats) -> Floats:
-    """Derivatives (N, 7) of the residuals by a step of the camera, from those by the points."""
+    """Derivatives (N, 8) of the residuals by a step of the camera, from those by the points."""
     return np.asarray(np.einsum("ni,nij->nj", by_point, _points_by_step(view)[along]))
 
 
 def _points_by_step(view: SingleView) -> Floats:
-    """Derivatives (3, 3, 7) of the vanishing points by a step of the camera.
+    """Derivatives (3, 3, 8) of the vanishing points by a step of the camera.
 
-    v = K R e, so dv = f (d₁, d₂, 0) d ln f + K (ω × d) + d₃ (dc, 0), with d = R e.
+    v = K d, so dv = f (d₁, d₂, 0) d ln f + K (ω × d) + d₃ (dc, 0) + K d′ with the direction d.
     """
-    J = np.zeros((3, 3, 7))
-    for axis, (x, y, z) in enumerate(view.R.T.tolist()):
+    J = np.zeros((3, 3, STEPS))
+    c, s = 0.5 * math.cos(0.5 * view.lean), 0.5 * math.sin(0.5 * view.lean)
+    J[:2, :, 7] = (view.K @ view.R @ np.array([[-s, c], [c, -s], [0.0, 0.0]])).T
+    for axis, (x, y, z) in enumerate(view.axes.T.tolist()):
         direction = np.array([x, y, z])
         J[axis, :2, 0] = view.focal_px * direction[:2]
         J[axis, :, 1:4] = view.K @ np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
@@ -321,7 +347,8 @@ def _upright(view: SingleView) -> SingleView:
 
     d and −d vanish in one point, so the lines alone do not tell them apart.
     """
-    up, away = view.R[:, 2], view.R[:, 1]
-    up = -up if up[1] > 0.0 else up
+    up, away, lean = view.R[:, 2], view.R[:, 1], view.lean
+    if up[1] > 0.0:
+        up, lean = -up, -lean  # one of the axes 0 and 1 turns back with it
     away = -away if away[2] < 0.0 else away
-    return replace(view, R=np.column_stack([np.cross(away, up), away, up]))
+    return replace(view, R=np.column_stack([np.cross(away, up), away, up]), lean=lean)

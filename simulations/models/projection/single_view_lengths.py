@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_matrices
 from simulations.models.projection.level_ground import height_by_horizon
-from simulations.models.projection.single_view import SingleView, numerical_derivatives
+from simulations.models.projection.single_view import STEPS, SingleView, numerical_derivatives
 from simulations.models.projection.vanishing_lines import check_sigma
 from simulations.models.require import require, require_one_of, require_positive
 
@@ -87,9 +87,9 @@ def measured(
         return np.log(lengths(view, ends + unit * step.reshape(2, 2), kinds, normal))
 
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        through_view = numerical_derivatives(by_view, 7, view.covariance)
+        through_view = numerical_derivatives(by_view, STEPS, view.covariance)
         variance = (numerical_derivatives(by_ends, 4) ** 2).sum(axis=-1) * (sigma_px / unit) ** 2
-        apart = np.vstack([through_view[1:], np.zeros(7)]) - through_view[0]
+        apart = np.vstack([through_view[1:], np.zeros(STEPS)]) - through_view[0]
         relative = np.einsum("ni,ij,nj->n", apart, view.covariance, apart)
         relative += np.append(variance[1:], 0.0) + variance[0]
         metres = known_metres * np.append(found[1:], 1.0) / found[0]
@@ -103,7 +103,7 @@ def lengths(view: SingleView, ends: ArrayLike, kinds: list[str], normal: int = 2
     NaN for one that is beyond the plane's horizon, seen from the first.
     """
     places = view.lens.straight(as_matrices("ends", ends, 2, 2))
-    axis = view.R[:, normal]
+    axis = view.normal(normal)
     rays = np.concatenate([places, np.ones((*places.shape[:-1], 1))], axis=-1)
     rays = rays @ np.linalg.inv(view.K).T
     towards = rays @ axis

@@ -195,7 +195,7 @@ def _horizon(field: Field, view: SingleView | None, plane: str, style: str, name
     """The line on which all directions of the plane vanish, where it crosses the panel."""
     if view is None:
         return ""
-    a, b, c = np.linalg.solve(view.K.T, view.R[:, NORMALS[plane]])
+    a, b, c = np.linalg.solve(view.K.T, view.normal(NORMALS[plane]))
     corners = field.pixel((0.0, 0.0)), field.pixel((WIDTH, HEIGHT))
     ends = line_in_rectangle((a, b, c), *corners)
     if not len(ends):

@@ -41,6 +41,8 @@ UNKNOWN = 0.3  # relative standard error from which a number counts as unknown
 FOCUS = 0.005
 """Share by which the focal length differs between photographs of a board and of a room, as the
 lens is focused (standard deviation)."""
+OFF_SQUARE_RAD = math.radians(1.5)
+"""Angle by which the walls that readers photograph are off square (standard deviation)."""
 NONE, MISSING = "none drawn", "lines missing"
 
 type Pair = tuple[float, float]
@@ -157,7 +159,10 @@ def camera_of(
 
     def fitted(sigma: float, lens: PictureLens) -> SingleView:
         drawn = np.concatenate(ends)
-        return fit_view(drawn, axes, lines.size, sigma, find_centre=centre, lens=lens)
+        off = OFF_SQUARE_RAD if photograph else 0.0
+        return fit_view(
+            drawn, axes, lines.size, sigma, find_centre=centre, lens=lens, off_square=off
+        )
 
     try:
         view = fitted(sigma, replace(lens[0], error=0.0))

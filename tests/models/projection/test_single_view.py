@@ -28,6 +28,15 @@ def test_lines_without_noise_give_the_true_camera(counts: tuple[int, int, int]) 
     assert view.misfit < 1e-6
 
 
+def test_three_directions_give_the_true_camera_between_walls_off_square() -> None:
+    rng = np.random.default_rng(1)
+    ends, axes = lines_along_axes(POSE, rng, off_square=math.radians(3.0))
+    view = fit_view(ends, axes, SIZE, EXACT, off_square=math.radians(1.5))
+    assert view.focal_px == pytest.approx(FOCAL, rel=1e-4)
+    assert math.degrees(view.lean) == pytest.approx(3.0, abs=0.01)
+    np.testing.assert_allclose(view.normal(2), POSE[:3, 2], atol=1e-5)
+
+
 def test_three_directions_also_give_the_principal_point() -> None:
     shifted = intrinsics(FOCAL, (450.0, 260.0))
     ends, axes = lines_along_axes(POSE, np.random.default_rng(1), K=shifted)
