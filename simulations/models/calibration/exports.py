@@ -18,6 +18,7 @@ import numpy as np
 from simulations.models.arrays import Floats
 from simulations.models.calibration.board_shape import Shape
 from simulations.models.calibration.camera import Camera, Poses
+from simulations.models.calibration.views import Views
 from simulations.models.distortion import radial_profile
 from simulations.models.distortion.fisheye import Fisheye
 from simulations.models.distortion.lens import WIDEST_RAD, Lens
@@ -41,6 +42,8 @@ class Report:
     """Of a flat board."""
     photographs: Sequence[tuple[str, float]]
     """Name and RMS error in px of each, in the order of the poses."""
+    views: Views
+    """Their corners, in the same order."""
     covariance: Floats | None = None
     """(m, m) of the parameters in ``errors``, if all that is left is noise."""
     bent: tuple[Shape, float] | None = None
@@ -92,9 +95,11 @@ def _matrix(name: str, values: Floats) -> tuple[str, ...]:
 
 
 def as_json(report: Report) -> str:
-    """All of it, with standard errors; lengths in squares of the board, angles in radians."""
-    camera = report.camera
+    """All of it, with standard errors; lengths in squares of the board, angles in radians. A corner
+    is its column and row on the board, and x and y in px."""
+    camera, views = report.camera, report.views
     turns, shifts = report.poses.rotation_vectors.tolist(), report.poses.t.tolist()
+    corners = [np.hstack(views.of(index)).tolist() for index in range(len(views))]
     values = {n: getattr(camera, n) for n in ("fx", "fy", "cx", "cy")}
     return json.dumps(
         {
@@ -111,8 +116,16 @@ def as_json(report: Report) -> str:
             "board_shape": _shape_of(report),
             "taken": dict(report.taken),
             "photographs": [
-                {"name": name, "rms_px": rms, "rotation_vector": turn, "translation": shift}
-                for (name, rms), turn, shift in zip(report.photographs, turns, shifts, strict=True)
+                {
+                    "name": name,
+                    "rms_px": rms,
+                    "rotation_vector": turn,
+                    "translation": shift,
+                    "corners": places,
+                }
+                for (name, rms), turn, shift, places in zip(
+                    report.photographs, turns, shifts, corners, strict=True
+                )
             ],
         },
         indent=2,
@@ -178,19 +191,22 @@ class Maker:
     model: str = "Unknown"
     lens: str = "Calibrated lens"
     focal_mm: float | None = None
-    crop: float = 1.0
+    crop: float | None = None
     """Diagonal of a full frame by that of this sensor."""
 
 
 def lensfun_xml(report: Report, maker: Maker = Maker()) -> str:
     """An entry of Lensfun's database; put it into ``~/.local/share/lensfun/``.
 
-    ``real-focal`` is the calibrated focal length in mm if the crop factor is right.
+    ``real-focal`` is the calibrated focal length in mm if the crop factor is right. One that is not
+    given follows from the focal length in mm; without that either, the sensor is a full frame.
     """
     k1, k2 = lensfun_poly5(report.camera, report.size)
     x, y = lensfun_centre(report.camera, report.size)
-    real = lensfun_real_focal_mm(report.camera, report.size, maker.crop)
-    focal = real if maker.focal_mm is None else maker.focal_mm
+    on_full_frame = lensfun_real_focal_mm(report.camera, report.size, 1.0)
+    crop = maker.crop or (on_full_frame / maker.focal_mm if maker.focal_mm else 1.0)
+    real = on_full_frame / crop
+    focal = maker.focal_mm or real
     sides = sorted(report.size, reverse=True)
     common = math.gcd(*sides)
     return f"""<lensdatabase version="1">
@@ -198,7 +214,7 @@ def lensfun_xml(report: Report, maker: Maker = Maker()) -> str:
     <maker>{_escaped(maker.make)}</maker>
     <model>{_escaped(maker.lens)}</model>
     <mount>{_escaped(maker.model)}</mount>
-    <cropfactor>{maker.crop:.4g}</cropfactor>
+    <cropfactor>{crop:.4g}</cropfactor>
     <type>{"fisheye" if isinstance(report.camera.lens, Fisheye) else "rectilinear"}</type>
     <aspect-ratio>{sides[0] // common}:{sides[1] // common}</aspect-ratio>
     <center x="{x:.6g}" y="{y:.6g}" />

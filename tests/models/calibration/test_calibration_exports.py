@@ -23,7 +23,7 @@ from simulations.models.calibration.undistorted import UNSEEN, undistorted
 from simulations.models.distortion.fisheye import Fisheye
 from simulations.models.distortion.lens_model import Distortion
 
-POSES = photographs(3).poses
+POSES, VIEWS = photographs(3).poses, photographs(3).views(0.05)
 PHOTOGRAPHS = (("a.jpg", 0.1), ("b.jpg", 0.2), ("c & d.jpg", 0.1))
 RADIAL = Camera(600.0, 600.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08))
 
@@ -36,6 +36,7 @@ def report(camera: Camera = TRUTH) -> Report:
         rms_px=0.1,
         poses=POSES,
         photographs=PHOTOGRAPHS,
+        views=VIEWS,
     )
 
 
@@ -61,6 +62,8 @@ def test_json_has_camera_errors_and_poses() -> None:
     assert read["standard_errors"] == {"fx": 0.2}
     assert [entry["name"] for entry in read["photographs"]] == ["a.jpg", "b.jpg", "c & d.jpg"]
     assert read["photographs"][1]["rms_px"] == 0.2
+    corners = [entry["corners"] for entry in read["photographs"]]
+    assert np.array_equal(corners, np.concatenate((VIEWS.board, VIEWS.pixels), axis=-1))
 
 
 def test_ros_and_colmap_have_the_same_camera() -> None:
@@ -110,14 +113,27 @@ def test_lensfun_model_distorts_like_the_calibrated_lens() -> None:
     assert lensfun_pixels(lensfun_xml(report(RADIAL)), ideal) == pytest.approx(expected, abs=1e-3)
 
 
-def test_lensfun_file_has_the_focal_length_in_millimetres() -> None:
-    full_frame = Camera(600.0, 600.0, 319.5, 239.5)
-    xml = lensfun_xml(report(full_frame), Maker("Acme & Co", "One", "Zoom <1>", 35.0, 1.0))
-    model = ET.fromstring(xml).find(".//distortion")
+FULL_FRAME_MM = 600 * 34.613 / 640
+"""4:3 of the diagonal of 36 × 24 mm is 34.61 mm wide, so that 640 px are 34.61 mm."""
+
+
+@pytest.mark.parametrize(
+    ("focal", "crop", "written"),
+    [
+        (35.0, 1.0, (35.0, FULL_FRAME_MM, 1.0)),
+        (8.0, None, (8.0, 8.0, FULL_FRAME_MM / 8.0)),
+        (None, None, (FULL_FRAME_MM, FULL_FRAME_MM, 1.0)),
+    ],
+)
+def test_lensfun_file_has_the_focal_length_in_millimetres_and_the_crop(
+    focal: float | None, crop: float | None, written: tuple[float, float, float]
+) -> None:
+    maker = Maker("Acme & Co", "One", "Zoom <1>", focal, crop)
+    root = ET.fromstring(lensfun_xml(report(Camera(600.0, 600.0, 319.5, 239.5)), maker))
+    model = root.find(".//distortion")
     assert model is not None
-    assert float(model.get("focal", "")) == 35.0
-    # 4:3 of the diagonal of 36 × 24 mm: 34.61 mm wide, so that 640 px are 34.61 mm
-    assert float(model.get("real-focal", "")) == pytest.approx(600 * 34.613 / 640, rel=1e-4)
+    found = (model.get("focal", ""), model.get("real-focal", ""), root.findtext(".//cropfactor"))
+    assert [float(each or "") for each in found] == pytest.approx(written, rel=1e-3)
 
 
 CAMERA = Camera(300.0, 302.0, 163.0, 117.0, Distortion(k1=-0.25, k2=0.08, p1=1e-3, p2=-1e-3))

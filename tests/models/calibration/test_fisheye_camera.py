@@ -74,6 +74,7 @@ def test_exported_files_have_the_fisheyes_model_and_coefficients() -> None:
         rms_px=0.1,
         poses=truth.poses,
         photographs=[(str(n), 0.1) for n in range(12)],
+        views=truth.views(0.05),
     )
     assert "fisheye_model: 1" in opencv_yaml(report)
     saved = json.loads(as_json(report))
