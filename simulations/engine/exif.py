@@ -15,6 +15,7 @@ TEXTS = {0x010F: "make", 0x0110: "model", 0xA434: "lens"}
 LONGEST = 80
 """Characters of a text that are kept."""
 NUMBERS = {
+    0x0112: ("orientation", 1.0, 8.0),
     0x829A: ("exposure_s", 1e-7, 1e5),
     0x829D: ("f_number", 0.1, 1e3),
     0x8827: ("iso", 1.0, 65534.0),  # two bytes: 65535 means a larger value

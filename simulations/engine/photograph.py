@@ -69,7 +69,8 @@ class Photograph:
     facts: Facts = field(default_factory=dict, compare=False)
     """Facts about the file: ``full_width`` and ``full_height`` in px, upright, before it was
     scaled down; and from EXIF, where given, ``focal_mm``, ``focal_35mm_mm``, ``make``, ``model``,
-    ``lens``, ``exposure_s``, ``f_number`` and ``iso``; and ``raw`` of a raw file."""
+    ``lens``, ``orientation``, ``exposure_s``, ``f_number`` and ``iso``; and ``raw`` of a raw
+    file."""
     mosaic: Mosaic | None = field(default=None, compare=False, repr=False)
     """The cells of a raw file, if the scene reads those."""
 

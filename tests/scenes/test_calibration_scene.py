@@ -138,6 +138,19 @@ def test_drawing_shows_errors_of_one_or_all_boards_and_marks_unused_ones() -> No
     assert ["not used" in overlay for overlay in (used, unused)] == [False, True]
 
 
+def test_photograph_with_another_zoom_is_named_wherever_the_result_stands() -> None:
+    given = readings(10)
+    middle = np.array((TRUTH.cx, TRUTH.cy))
+    other = ((np.array(given[4].data["corners"]) - middle) * 1.1 + middle).tolist()
+    given = (*given[:4], replace(given[4], data={**given[4].data, "corners": other}), *given[5:])
+    settings = Settings(photographs=10, lens="supported")
+    for chosen, named in ((given, True), (readings(10), False)):
+        lines = sheet(settings, outputs_of(settings, chosen))
+        described = frame_from(chosen, **asdict(settings)).description
+        for words in (" ".join(line.text for line in lines), described):
+            assert ("4.jpg differs from the others" in words) == named
+
+
 def test_readers_corners_replace_the_simulated_ones() -> None:
     given, settings = readings(8), {"photographs": 8, "lens": "p1p2", "share": 0.5}
     out = frame_from(given, **settings)
@@ -172,6 +185,7 @@ def test_press_on_a_photograph_excludes_it() -> None:
 
 
 ONE, TWO = {"make": "Maker", "model": "One"}, {"make": "Maker", "model": "Two"}
+HALF_TURN = {"orientation": 3.0}
 OTHERS = readings(3, size=(480, 640), first=50)
 
 
@@ -191,6 +205,7 @@ OTHERS = readings(3, size=(480, 640), first=50)
             ["They were taken by Maker One and Maker Two"],
         ),
         (with_facts(readings(3), TWO, TWO, {}), []),
+        (with_facts(readings(4), {}, {}, {}, HALF_TURN), ["The camera was turned for 3.jpg"]),
     ],
 )
 def test_differing_or_surplus_photographs_are_noted(given: Readings, notes: list[str]) -> None:

@@ -43,6 +43,7 @@ SEED = 14
 FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 LOOK = Look(shading=0.25, blur_px=1.2, noise_codes=6.0)
 """Hand-held, by the light of a lamp."""
+NAMED = 6  # photographs in a sentence
 DIGITS = 4  # decimals of the corners in px that are kept of a photograph
 
 
@@ -133,7 +134,9 @@ def boards(readings: Readings) -> Boards:
         size,
         tuple(r.name for r in used),
         tuple(r.number for r in used),
-        notes=tuple(_notes(len(readings) - count, count - len(used), facts)),
+        notes=tuple(
+            _notes(len(readings) - count, count - len(used), facts, [r.name for r in used])
+        ),
         # by the diagonals of picture and full frame
         focal_px=float(stated) * math.hypot(*size) / FULL_FRAME_DIAGONAL_MM if stated else None,
         taken={
@@ -144,12 +147,18 @@ def boards(readings: Readings) -> Boards:
     )
 
 
-def _notes(others: int, spare: int, facts: Sequence[Mapping[str, Any]]) -> Iterator[str]:
+def _notes(
+    others: int, spare: int, facts: Sequence[Mapping[str, Any]], names: Sequence[str]
+) -> Iterator[str]:
     if others:
         are = "is" if others == 1 else "are"
         yield f"{others} of another size {are} left out; calibrate each size by itself."
     if spare:
         yield f"The first {MOST} are used."
+    ways = [facts_of_one.get("orientation", 1.0) for facts_of_one in facts]
+    (usual, _), *_ = Counter(ways).most_common(1)
+    if turned := [name for name, way in zip(names, ways, strict=True) if way != usual]:
+        yield f"The camera was turned for {listed(turned)}; leave them out."
     focal = sorted({float(f["focal_mm"]) for f in facts if f.get("focal_mm")})
     if len(focal) > 1:
         yield (
@@ -158,6 +167,13 @@ def _notes(others: int, spare: int, facts: Sequence[Mapping[str, Any]]) -> Itera
     cameras = sorted({f"{f['make']} {f['model']}" for f in facts if {"make", "model"} <= f.keys()})
     if len(cameras) > 1:
         yield f"They were taken by {' and '.join(cameras)}; calibrate each camera by itself."
+
+
+def listed(names: Sequence[str]) -> str:
+    """Names in a sentence, at most `NAMED` of them."""
+    rest = len(names) - NAMED
+    *first, last = names if rest <= 0 else (*names[:NAMED], f"{rest} more")
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 def rendered(index: int, scale: float = 1.0) -> NDArray[np.uint8]:

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from simulations.engine.export import Export
-from simulations.engine.frame import Readout, format_number, readout, value_with_error
+from simulations.engine.frame import Readout, format_number, matrix_text, readout, value_with_error
 from simulations.engine.photograph import Codes, Photograph
 from simulations.engine.reading import Readings, UnfitError
 from simulations.engine.stages import Outputs
@@ -36,9 +36,9 @@ OPEN = "This model of the lens needs more photographs, or more tilted ones"
 
 
 def notes_of(given: Boards, result: Result | None) -> tuple[str, ...]:
-    """Of the photographs, and of their pixels if these are not square."""
-    odd = stretched(result.trial) if result and not given.truth else ""
-    return (*given.notes, odd) if odd else given.notes
+    """Of the photographs, of those that differ, and of their pixels if these are not square."""
+    odd = (result.mixed, stretched(result.trial)) if result and not given.truth else ()
+    return (*given.notes, *filter(None, odd))
 
 
 def _determined(outputs: Outputs) -> Result:
@@ -66,12 +66,13 @@ def _report(outputs: Outputs) -> Report:
         poses=fit.poses,
         bent=(shape, trial.rms_px) if shape.terms else None,
         photographs=tuple(zip(given.names, each, strict=False)),
+        views=views,
         taken=given.taken,
     )
 
 
 def maker_of(readings: Readings) -> Maker:
-    """The maker by EXIF of the first photograph; a full frame if the crop factor is not known."""
+    """The maker by EXIF of the first photograph."""
     facts = readings[0].data.get("facts", {}) if readings else {}
     focal, full_frame = facts.get("focal_mm"), facts.get("focal_35mm_mm")
     known = Maker()
@@ -80,7 +81,7 @@ def maker_of(readings: Readings) -> Maker:
         str(facts.get("model", known.model)),
         str(facts.get("lens", known.lens)),
         float(focal) if focal else None,
-        float(full_frame) / float(focal) if focal and full_frame else 1.0,
+        float(full_frame) / float(focal) if focal and full_frame else None,
     )
 
 
@@ -145,6 +146,16 @@ def sheet(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         ),
         Readout("advice", "Next photograph", result.advice),
         *notes,
+    )
+
+
+def matrix_of(result: Result) -> str:
+    """The intrinsic matrix with its standard errors, px."""
+    words = {
+        each.name: each.text.replace("under ", "<").replace(" ", "") for each in _parameters(result)
+    }
+    return matrix_text(
+        ((words["fx"], "0", words["cx"]), ("0", words["fy"], words["cy"]), ("0", "0", "1"))
     )
 
 

@@ -27,7 +27,15 @@ from simulations.scenes.calibration import drawing
 from simulations.scenes.calibration.board_drawing import board_drawing, board_words
 from simulations.scenes.calibration.boards import TRUTH, Boards, read, rendered
 from simulations.scenes.calibration.contact_sheet import contact_sheet, middle_of, number_at
-from simulations.scenes.calibration.results import EXPORTS, OPEN, develop, measured, notes_of, sheet
+from simulations.scenes.calibration.results import (
+    EXPORTS,
+    OPEN,
+    develop,
+    matrix_of,
+    measured,
+    notes_of,
+    sheet,
+)
 from simulations.scenes.calibration.settings import DETAILS, LENSES, Settings
 from simulations.scenes.calibration.stages import LEVELS, STAGES, Errors, Result, Shown, Trials
 
@@ -121,12 +129,13 @@ def _readouts(
     settings: Settings, trials: Trials, result: Result | None, errors: Errors | None
 ) -> tuple[Readout, ...]:
     """The measured numbers, where the photographs determine them."""
-    numbers, words = {}, dict.fromkeys(("supported", "board", "advice"), UNKNOWN)
+    numbers, words = {}, dict.fromkeys(("matrix", "supported", "board", "advice"), UNKNOWN)
     if errors:
         numbers["rms_shown"] = errors.rms_px
     if result:
         trial, camera = result.trial, result.trial.fit.camera
         words = {
+            "matrix": matrix_of(result),
             "supported": LENSES[result.supported.lens],
             "board": board_words(result.board, settings.side)[0],
             "advice": result.advice,
@@ -160,6 +169,7 @@ def _readouts(
         number("k2", "k₂", "", 4),
         number("aic", "ΔAIC", "", 0),
         number("covered", "Covered by corners", "%", 0),
+        Readout("matrix", "Intrinsic matrix, px", words["matrix"], role="image"),
         Readout("supported", "Model supported", words["supported"]),
         Readout("board", "Board", words["board"]),
         Readout("advice", "Next photograph", words["advice"]),

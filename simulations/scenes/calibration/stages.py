@@ -13,6 +13,7 @@ from simulations.models.arrays import Floats
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import Adjusted, refine, residuals
 from simulations.models.calibration.left_out import Growth, values_by_count
+from simulations.models.calibration.mixed import differing
 from simulations.models.calibration.model_choice import (
     Trial,
     as_chosen,
@@ -35,7 +36,7 @@ from simulations.models.calibration.zhang import (
 )
 from simulations.models.chequerboard.board_search import NoBoardError
 from simulations.models.chequerboard.find_board import find_board
-from simulations.scenes.calibration.boards import LEAST, Boards, boards, rendered
+from simulations.scenes.calibration.boards import LEAST, Boards, boards, listed, rendered
 
 type Codes = NDArray[np.uint8]
 
@@ -45,6 +46,10 @@ LEVELS = (
 )
 QUICK_SCALE = 0.375
 SHEET = "sheet"  # the detail that shows all photographs
+MIXED = (
+    "{these} in focal length or principal point: leave out what was taken with another zoom or "
+    "focus, with the camera turned, or mirrored."
+)
 SUPPORTED = "supported"  # the model of the lens that the photographs support
 
 
@@ -80,6 +85,8 @@ class Result:
     covered: Coverage
     advice: str
     """Subject of the next photograph."""
+    mixed: str
+    """A sentence on photographs that differ from the others, if there are any."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,7 +160,17 @@ def _result(used: Boards, every: Trials, trials: Trials, lens: str) -> Result | 
     best = supported(trials.found)
     covered = coverage(trials.views, best.fit, used.size)
     board = measure_shape(trials.views, trial)
-    return Result(trial, best, grown, board, covered, next_photograph(covered))
+    mixed = _mixed([used.names[index] for index in differing(trials.views, trial)], trials.views)
+    return Result(trial, best, grown, board, covered, next_photograph(covered), mixed)
+
+
+def _mixed(names: list[str], views: Views) -> str:
+    """A sentence on the photographs that differ, if there are any."""
+    if not names:
+        return ""
+    these = f"{listed(names)} differ{'s' * (len(names) == 1)} from the others"
+    every = "The photographs differ from each other"
+    return MIXED.format(these=every if len(names) == len(views) else these)
 
 
 def _shown(given: Boards, photograph: Photograph | None, shown: int, quick: bool) -> Shown:
