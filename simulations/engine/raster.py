@@ -23,18 +23,16 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
     -------
     (H, W, 4) uint8, C-contiguous.
     """
-    picture = np.asarray(srgb)
-    if picture.ndim == 2:
-        picture = picture[..., None]
-    rgba = opaque(_to_uint8(picture))
+    rgba = opaque(_to_uint8(np.asarray(srgb)))
     if alpha is not None:
         rgba[..., 3] = _to_uint8(np.asarray(alpha))
     return rgba
 
 
 def opaque(codes: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """(H, W, 4) canvas bytes of (H, W, 3) codes, or of grey ones (H, W, 1)."""
-    return of_planes(np.moveaxis(np.broadcast_to(codes, (*codes.shape[:2], 3)), -1, 0))
+    """(H, W, 4) canvas bytes of (H, W, 3) codes, or of grey ones (H, W) or (H, W, 1)."""
+    colours = codes[..., None] if codes.ndim == 2 else codes
+    return of_planes(np.moveaxis(np.broadcast_to(colours, (*colours.shape[:2], 3)), -1, 0))
 
 
 def of_planes(planes: Sequence[NDArray[np.uint8]] | NDArray[np.uint8]) -> NDArray[np.uint8]:

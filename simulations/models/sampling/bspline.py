@@ -20,7 +20,8 @@ def weigh(x: Floats) -> Floats:
     """The bump (...) at signed distances ``x`` (...) from its sample, in samples."""
     t = np.abs(x)
     inner = (0.5 * t - 1.0) * t * t + 2.0 / 3.0
-    outer = np.maximum(2.0 - t, 0.0) ** 3 / 6.0
+    beyond = np.maximum(2.0 - t, 0.0)
+    outer = beyond * beyond * beyond / 6.0  # NumPy's third power takes a logarithm
     return np.where(t < 1.0, inner, outer)
 
 

@@ -65,13 +65,17 @@ class EdgeCurve:
 
     def slope(self, distance: ArrayLike) -> Floats:
         """LSF (...), per pixel, at distances (...)."""
-        return STEPS * self.rise(distance, 1.0 / STEPS)[0]
+        return STEPS * self._between(distance, 1.0 / STEPS) @ self.heights
 
     def rise(self, distance: ArrayLike, width: float) -> tuple[Floats, Floats]:
         """How far the ESF rises (...) over a width around distances (...); its standard error."""
-        place = np.asarray(distance, float)
-        shares = weights(place + 0.5 * width, self.reach) - weights(place - 0.5 * width, self.reach)
+        shares = self._between(distance, width)
         return shares @ self.heights, self._error(shares)
+
+    def _between(self, distance: ArrayLike, width: float) -> Floats:
+        """Weights (..., K) of the heights in the rise over a width around distances (...)."""
+        place = np.asarray(distance, float)
+        return weights(place + 0.5 * width, self.reach) - weights(place - 0.5 * width, self.reach)
 
     def _error(self, shares: Floats) -> Floats:
         """Standard errors (...) of sums of heights, each with its weights (..., K)."""

@@ -26,11 +26,11 @@ from simulations.engine.frame import (
 )
 from simulations.engine.handles import Handle, Point
 from simulations.engine.instrument import Instrument
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import opaque
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs, Stage
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.error_measures import root_mean_square
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
@@ -79,7 +79,7 @@ def picture(
         return photograph.raster
     sampled, kernel = pattern_of(pattern, frequency, phase, rate), prefilters.prefilter(prefilter)
     linear = shirt_light(sampled, kernel) if pattern == "stripes" else sampled.picture(kernel)
-    return to_rgba8(encode_srgb(np.clip(linear, 0.0, 1.0)))
+    return opaque(encode_srgb_codes(linear))
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:

@@ -37,8 +37,10 @@ class Fold:
         right, down = x - self.centre[0], y - self.centre[1]
         along = (right * np.cos(turn) + down * np.sin(turn)) / self.length
         off = (down * np.cos(turn) - right * np.sin(turn)) / self.width
-        hill: Floats = np.cos(np.pi / 2 * along.clip(-1, 1)) * np.cos(np.pi / 2 * off.clip(-1, 1))
-        return self.height * hill**2
+        shift, inside = np.zeros_like(along), (np.abs(along) < 1.0) & (np.abs(off) < 1.0)
+        hill = np.cos(np.pi / 2 * along[inside]) * np.cos(np.pi / 2 * off[inside])
+        shift[inside] = self.height * hill**2
+        return shift
 
 
 FOLDS = (
@@ -96,7 +98,10 @@ def cloth_at(rate: float) -> Cloth:
     round_arm = np.clip((side - 41.0 - 0.175 * (y - 49.0)) / 15.0, -1.0, 1.0)
     bend = sum(each.shift_at(x, y) for each in FOLDS)
     on_body = right + np.sign(right) * beyond**2 / 36.0 + bend
-    on_arm = np.sign(right) * (0.84 * side - 0.42 * y + 3.0 * round_arm**3) + 0.4 * bend
+    on_arm = (
+        np.sign(right) * (0.84 * side - 0.42 * y + 3.0 * round_arm * round_arm * round_arm)
+        + 0.4 * bend
+    )
     along = np.where(seam < 0.0, on_arm, on_body)
     down, across = (np.abs(each) * rate for each in np.gradient(along))
     shade = np.where(seam < 0.0, 0.95 - 0.4 * round_arm**2, 1.02 - 0.55 * (side / 50.0) ** 2)

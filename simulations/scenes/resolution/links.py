@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.frame import Raster
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import of_planes, opaque
 from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, centred
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.lens import diffraction
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sensor.resolution import nyquist_per_mm, pixel_transfer, plate_transfer
@@ -134,7 +134,7 @@ def close(profile: Floats, pitch: float, plate: bool) -> Raster:
     # Four copies at ±½ pixel: each is the mirror image of another.
     one = np.interp(np.hypot(x + off, y[:, None] + off), RADII_UM, profile)
     light = one + one[:, ::-1] + one[::-1] + one[::-1, ::-1] if plate else one
-    return to_rgba8(encode_srgb(light / light.max()))
+    return opaque(encode_srgb_codes(light / light.max()))
 
 
 def star(pitch: float, plate: bool) -> Star:
@@ -158,7 +158,7 @@ def light_of(lens: Lens, star: Star) -> Floats:
 def picture(lens: Lens, star: Star, pitch: float) -> Raster:
     count = columns(pitch)
     across, down = (np.abs(centred(n)).astype(int) for n in (count, 3 * count // 4))
-    quarter = to_rgba8(encode_srgb(light_of(lens, star)))
+    quarter = opaque(encode_srgb_codes(light_of(lens, star)))
     return np.ascontiguousarray(quarter[down][:, across])
 
 
@@ -181,7 +181,7 @@ def subject(lens: Lens, pitch: float, plate: bool) -> Raster:
         share = (place - low).reshape((-1, 1) if axis == 1 else -1)
         first, second = (picture.take(low + step, axis) for step in (0, 1))
         picture = first + share * (second - first)
-    return to_rgba8(encode_srgb(np.clip(picture, 0.0, 1.0).transpose(1, 2, 0)))
+    return of_planes(encode_srgb_codes(picture))
 
 
 STAGES = (
