@@ -98,10 +98,7 @@ def cloth_at(rate: float) -> Cloth:
     round_arm = np.clip((side - 41.0 - 0.175 * (y - 49.0)) / 15.0, -1.0, 1.0)
     bend = sum(each.shift_at(x, y) for each in FOLDS)
     on_body = right + np.sign(right) * beyond**2 / 36.0 + bend
-    on_arm = (
-        np.sign(right) * (0.84 * side - 0.42 * y + 3.0 * round_arm * round_arm * round_arm)
-        + 0.4 * bend
-    )
+    on_arm = np.sign(right) * (0.84 * side - 0.42 * y + 3.0 * round_arm * round_arm**2) + 0.4 * bend
     along = np.where(seam < 0.0, on_arm, on_body)
     down, across = (np.abs(each) * rate for each in np.gradient(along))
     shade = np.where(seam < 0.0, 0.95 - 0.4 * round_arm**2, 1.02 - 0.55 * (side / 50.0) ** 2)
