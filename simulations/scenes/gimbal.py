@@ -13,7 +13,7 @@ picture about its middle, so the lock can be seen.
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import KW_ONLY, dataclass
-from functools import partial
+from functools import cache, lru_cache, partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -31,13 +31,13 @@ from simulations.engine.frame import (
 )
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.clipping import runs_inside
-from simulations.engine.raster import opaque
+from simulations.engine.raster import of_planes
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.space.orbit import turning
 from simulations.engine.space.view import View, runs
 from simulations.engine.stages import Outputs, Stage
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
@@ -117,6 +117,7 @@ class Ring:
         return self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
 
 
+@lru_cache(maxsize=4)  # called for each bead
 def rings_of(pan: float, tilt: float, roll: float) -> tuple[Ring, Ring, Ring]:
     """The rings from outer to inner, for angles in degrees. The angle's end on one ring is the next
     one's zero or axis."""
@@ -213,32 +214,46 @@ def draw_sky(pan: float, tilt: float, roll: float, columns: int) -> Raster:
     C = euler.to_matrix("YXZ", np.radians([pan, tilt, roll]))
     fine = columns / WIDTH  # pixels per view box unit
     rows = round(fine * HEIGHT)
-    y, x = ((np.mgrid[:rows, :columns] + 0.5) / fine - MIDDLE[::-1, None, None]).astype(
-        "f4"
-    ) / FOCAL
-    scale = 1 / np.sqrt(x * x + y * y + 1)
-    right, down, ahead = (scale * (row[0] * x + row[1] * y + row[2]) for row in C.astype("f4"))
-    height = np.maximum(-down, 0.0)
-    light = ZENITH + np.exp(-7.0 * height)[..., None] * GLOW
+    right, down, ahead = np.tensordot(C.astype("f4"), _rays(rows, columns), 1)
+    light = np.multiply.outer(GLOW, np.exp(-7.0 * np.maximum(-down, 0.0)))
+    light += ZENITH[:, None, None]
     band = GALAXY[0] * right + GALAXY[1] * down + GALAXY[2] * ahead
-    light += (0.016 * np.exp(-25.0 * band * band))[..., None]
-    places = fine * view_box_places(C, towards(*STARS))
-    visible = np.isfinite(places).all(axis=-1)
-    spots, shine = places[visible], STAR_LIGHT[visible]
-    for row in range(-2, 3):
-        for column in range(-2, 3):
-            u, v = (np.floor(spots) + np.array([column, row])).astype(int).T
-            inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)
-            off = np.hypot(u + 0.5 - spots[:, 0], v + 0.5 - spots[:, 1])
-            spread = shine * np.exp(-1.2 * (off / fine) ** 2)
-            np.add.at(light, (v[inside], u[inside]), spread[inside, None])
+    light += 0.016 * np.exp(-25.0 * band * band) + _stars(C, rows, columns)
     low = -down < SKYLINE_SINE.max()
     azimuth = np.degrees(np.arctan2(right[low], ahead[low])) % 360.0
     low[low] = -down[low] < np.interp(azimuth, SKYLINE_AT, SKYLINE_SINE)
-    light[low] = GROUND
+    light[:, low] = GROUND[:, None]
     paved = down > 0.04
-    light[paved] += _slabs(right[paved], down[paved], ahead[paved])[:, None] * PAVING
-    return opaque(encode_srgb_codes(light))
+    slabs = _slabs(right[paved], down[paved], ahead[paved])
+    light[:, paved] += np.multiply.outer(PAVING, slabs)
+    return of_planes(encode_srgb_codes(light))
+
+
+@cache
+def _rays(rows: int, columns: int) -> Planes:
+    """(3, rows, columns) unit vectors through the pixels, right, down and ahead of the camera."""
+    pixels = (np.mgrid[:rows, :columns][::-1] + 0.5) * (WIDTH / columns)
+    x, y = ((pixels - MIDDLE[:, None, None]) / FOCAL).astype("f4")
+    return np.asarray(np.stack([x, y, np.ones_like(x)]) / np.sqrt(x * x + y * y + 1))
+
+
+def _stars(C: Floats, rows: int, columns: int) -> Floats:
+    """(rows, columns) their light, each spread over 5 × 5 pixels."""
+    fine = columns / WIDTH
+    places = fine * view_box_places(C, star_directions())
+    visible = np.isfinite(places).all(axis=-1)
+    spots, shine = places[visible].T[:, None], STAR_LIGHT[visible]
+    u, v = np.floor(spots) + (np.mgrid[:5, :5].reshape(2, -1, 1) - 2)
+    off = np.hypot(u + 0.5 - spots[0], v + 0.5 - spots[1])
+    inside = (u >= 0) & (v >= 0) & (u < columns) & (v < rows)
+    spread = shine * np.exp(-1.2 * (off / fine) ** 2)
+    at = (v * columns + u)[inside].astype(int)
+    return np.bincount(at, spread[inside], rows * columns).reshape(rows, columns).astype("f4")
+
+
+@cache
+def star_directions() -> Floats:
+    return towards(*STARS)
 
 
 def _slabs(right: Floats, down: Floats, ahead: Floats) -> Floats:
@@ -265,14 +280,18 @@ def draw_sight(pan: float, tilt: float, roll: float) -> str:
 
 def _circles(C: Floats) -> str:
     """Circles of equal elevation and upright half circles, every 15° and 30°."""
+    across, down = view_box_places(C, _circle_points()).T  # NaN between two circles
+    runs_in_view = runs_inside(across, down, (0.0, WIDTH), (0.0, HEIGHT))
+    return drawing.path(runs_in_view, "light thin faint")
+
+
+@cache
+def _circle_points() -> Floats:
     turns, rises = np.linspace(0.0, 360.0, 121), np.linspace(0.0, 90.0, 31)
     curves = [towards(turns, level) for level in (15.0, 30.0, 45.0, 60.0, 75.0)]
     curves += [towards(azimuth, rises) for azimuth in np.arange(0.0, 360.0, 30.0).tolist()]
-    runs_in_view = []
-    for curve in curves:
-        across, down = view_box_places(C, curve).T
-        runs_in_view += runs_inside(across, down, (0.0, WIDTH), (0.0, HEIGHT))
-    return drawing.path(runs_in_view, "light thin faint")
+    gap = np.full((1, 3), np.nan)
+    return np.concatenate([part for curve in curves for part in (curve, gap)])
 
 
 def _names(C: Floats) -> Iterator[str]:
