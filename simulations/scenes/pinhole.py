@@ -52,23 +52,27 @@ def share_of_light(hole: float) -> float:
 
 
 @cache
-def waves() -> tuple[Floats, NDArray[np.complexfloating]]:
-    """Frequencies (H, W) of the waves of a wider picture, in cycles per mm, and its spectrum (3, H,
-    W)."""
+def waves() -> tuple[Floats, NDArray[np.intp], Floats, NDArray[np.complexfloating]]:
+    """Frequencies (n,) in cycles per mm; which of them is next below that of each wave (H, W) of a
+    wider picture, and how far on it is, as a share of their distance; its spectrum (3, H, W)."""
     pad = ((0, 0), (MARGIN, MARGIN), (MARGIN, MARGIN))
     planes = np.pad(balloon().transpose(2, 0, 1), pad, mode="edge")
     rows, columns = planes.shape[1:]
     down, across = np.fft.fftfreq(rows, PIXEL_MM), np.fft.rfftfreq(columns, PIXEL_MM)
-    return np.hypot(down[:, None], across), np.fft.rfft2(planes)
+    at = np.hypot(down[:, None], across)
+    table = np.linspace(0.0, float(at.max()), 600)
+    place = np.minimum(at / table[1], len(table) - 2 + 1e-9)
+    entry = place.astype(np.intp)
+    return table, entry, (place - entry).astype(np.float32), np.fft.rfft2(planes)
 
 
 def blurred(hole: float) -> Planes:
     """The picture (3, H, W) through the hole, as bright as the scene."""
-    at, unblurred = waves()
-    table = np.linspace(0.0, float(at.max()), 600)
+    table, entry, share, unblurred = waves()
     spectrum, rows, columns = unblurred.copy(), HEIGHT + 2 * MARGIN, WIDTH + 2 * MARGIN
     for plane, wavelength in zip(spectrum, WAVELENGTHS_UM, strict=True):
-        plane *= np.interp(at, table, pinhole_transfer(table, hole, DEPTH_MM, wavelength))
+        left = pinhole_transfer(table, hole, DEPTH_MM, wavelength)
+        plane *= left.take(entry) + share * np.diff(left).take(entry)
     whole = np.fft.irfft2(spectrum, s=(rows, columns))
     inner = whole[:, MARGIN : MARGIN + HEIGHT, MARGIN : MARGIN + WIDTH]
     return np.asarray(np.clip(inner, 0.0, 1.0), np.float32)
