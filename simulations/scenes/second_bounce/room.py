@@ -50,7 +50,7 @@ class View:
     places: Places
     wall: NDArray[np.intp]  # (N,) number of the wall; 6 for the ball
     index: NDArray[np.intp]  # (N,) of the place in the finer tables of the walls
-    hidden: Floats  # (N, 1) form factor of the ball
+    hidden: Floats  # (N,) form factor of the ball
     ball: NDArray[np.intp]  # the pixels of the ball
     basis: Floats  # (M, 9) polynomial of their normals
     borders: NDArray[np.intp]  # the pixels between two walls, or at the ball's rim
@@ -165,7 +165,7 @@ def view(side: int) -> View:
         places_of(points, normals),
         wall,
         index,
-        hidden[:, None].astype(np.float32),
+        hidden.astype(np.float32),
         ball,
         polynomial(normals[ball]).astype(np.float32),
         borders,

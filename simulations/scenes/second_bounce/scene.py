@@ -126,24 +126,23 @@ def profile_of(light: Light, light_angle: float, albedo: float, wall: str) -> Pr
 
 
 def by_lamp(light_angle: float, columns: int) -> Floats:
-    """(N, 1) irradiance by the lamp, in each pixel."""
-    return room.view(columns).places.by_lamp(light_angle)[:, None]
+    """(N,) irradiance by the lamp, in each pixel."""
+    return room.view(columns).places.by_lamp(light_angle)
 
 
 def picture(light: Light, by_lamp: Floats, albedo: float, wall: str, columns: int) -> Raster:
     """The room: bytes (H, W, 4)."""
-    view = room.view(columns)
-    albedos = albedos_of(albedo, wall).astype(np.float32)
-    arriving = light.arriving[view.index]
-    on_ball = np.maximum(view.basis @ light.on_ball, 0.0)
-    of_ball = albedos[6] * (on_ball.mean(axis=0) + by_lamp[view.ball].mean())
-    arriving += view.hidden * (of_ball - arriving)
-    arriving[view.ball] = on_ball
-    radiance = albedos[view.wall] * (by_lamp + arriving)
-    radiance[view.borders] = radiance[view.around].mean(axis=0)
-    side = round(math.sqrt(len(radiance)))
-    red, others = encode_srgb_codes(radiance.T).reshape(2, side, side)
-    return of_planes((red, others, others))
+    view, codes = room.view(columns), []
+    for colour, albedos in enumerate(albedos_of(albedo, wall).astype(np.float32).T):
+        arriving = light.arriving[:, colour].take(view.index)
+        on_ball = np.maximum(view.basis @ light.on_ball[:, colour], 0.0)
+        of_ball = albedos[6] * (on_ball.mean() + by_lamp[view.ball].mean())
+        arriving += view.hidden * (of_ball - arriving)
+        arriving[view.ball] = on_ball
+        radiance = albedos.take(view.wall) * (by_lamp + arriving)
+        radiance[view.borders] = radiance.take(view.around).mean(axis=0)
+        codes.append(encode_srgb_codes(radiance).reshape(columns, columns))
+    return of_planes((codes[0], codes[1], codes[1]))
 
 
 def first_picture(first: Light, by_lamp: Floats, albedo: float, wall: str, columns: int) -> Raster:
