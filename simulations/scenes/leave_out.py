@@ -11,7 +11,7 @@ import numpy as np
 from simulations.engine.controls import Value
 from simulations.engine.drafting import box
 from simulations.engine.drawing import line, text
-from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.ladder import Clock
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
@@ -116,7 +116,19 @@ def take(complete: Complete, photo: str, left: str) -> Taken:
     return Taken(outputs["counted"], off + complete.noise if "poisson" in effects else off, rms)
 
 
-STAGES = (Stage("complete", photographed), Stage("taken", take, ("complete",)))
+def pictures(complete: Complete, taken: Taken) -> tuple[Raster, Raster, Raster]:
+    """The photographs by the complete model and by this one, and their difference, magnified."""
+    planes = (complete.counted, taken.counted, taken.off)
+    before, after, off = (np.moveaxis(each, 0, -1) for each in planes)
+    difference = to_rgba8(0.5 + MAGNIFY / 255 * off)
+    return to_rgba8(encode_srgb(before)), to_rgba8(encode_srgb(after)), difference
+
+
+STAGES = (
+    Stage("complete", photographed),
+    Stage("taken", take, ("complete",)),
+    Stage("pictures", pictures, ("complete", "taken")),
+)
 
 
 def reasons(photo: str) -> dict[str, str]:
@@ -180,11 +192,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The photograph, its difference from the complete model's, and the list of costs."""
     reference, taken = outputs["complete"], outputs["taken"]
     missing = [LABELS[name] for name in EFFECTS if not getattr(settings, name)]
-    planes = (reference.counted, taken.counted, taken.off)
-    before, after, off = (np.moveaxis(each, 0, -1) for each in planes)
-    complete, simpler = (to_rgba8(encode_srgb(picture)) for picture in (before, after))
+    complete, simpler, difference = outputs["pictures"]
     photograph = wiped(complete, simpler, settings.split)
-    difference = to_rgba8(0.5 + MAGNIFY / 255 * off)
     names = over_wipe(settings.split, WIDTH, HEIGHT, ("complete", "simpler"))
     overlay, title = (
         "".join(costs(settings, reference, taken.rms)),

@@ -8,7 +8,9 @@ Hecht, *Optics*, 5th ed., 2017, sections 5.2 and 6.1-6.3; Jenkins and White, *Fu
 Optics*, 4th ed., 1976, chapters 8 and 9.
 """
 
+import math
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -77,6 +79,7 @@ def focal_mm(power_per_mm: float) -> float:
     return 1.0 / power_per_mm if power_per_mm else np.inf
 
 
+@lru_cache(maxsize=4)  # asked for by every bundle of rays
 def rim_mm(lens: Singlet, largest_mm: float) -> float:
     """The height of the rim: where the surfaces meet, or ``largest_mm``."""
     require_positive("largest_mm", largest_mm)
@@ -91,8 +94,12 @@ def rim_mm(lens: Singlet, largest_mm: float) -> float:
 
 
 def _edge_mm(lens: Singlet, height_mm: float) -> float:
-    sags = (float(sag_mm(c, height_mm)) for c in (lens.back_per_mm, lens.front_per_mm))
-    return lens.thickness_mm + next(sags) - next(sags)
+    square = height_mm * height_mm
+    back, front = (
+        c * square / (1.0 + math.sqrt(max(1.0 - c * c * square, 0.0)))
+        for c in (lens.back_per_mm, lens.front_per_mm)
+    )
+    return lens.thickness_mm + back - front
 
 
 def sag_mm(curvature_per_mm: float, height_mm: ArrayLike) -> Floats:
