@@ -113,7 +113,7 @@ class Poses:
         R = rotations.exponential(step[:, :3]) @ self.R
         return Poses(R, self.t + step[:, 3:], self.shape)
 
-    def take(self, chosen: slice) -> "Poses":
+    def take(self, chosen: slice | list[int]) -> "Poses":
         """Some of the poses."""
         return Poses(self.R[chosen], self.t[chosen], self.shape)
 

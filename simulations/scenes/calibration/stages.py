@@ -117,9 +117,28 @@ def _used(given: Boards, without: int) -> Boards:
     return given.without(without)
 
 
-def _every(used: Boards, shape: str) -> Trials:
-    """The models from all photographs but the one left out, with a shape of the board or with that
-    which they support."""
+def _every(
+    given: Boards, used: Boards, of_all: Trials, shape: str, without: int, quick: bool
+) -> Trials:
+    """The models from all photographs but the one left out; quickly from the result for all."""
+    views = used.views
+    if len(views) == len(given.views):
+        return of_all
+    if of_all.problem or not quick:
+        return _all(used, shape)
+    rest = [index for index in range(len(given.views)) if index != without - 1]
+    starts = tuple(
+        replace(trial, fit=replace(trial.fit, poses=trial.fit.poses.take(rest)))
+        for trial in of_all.found
+    )
+    try:
+        return Trials(views, compare_first(starts, views, quick), tried=of_all.tried)
+    except UndeterminedError as problem:
+        return Trials(views, problem=problem.naming(used.names))
+
+
+def _all(used: Boards, shape: str) -> Trials:
+    """The models from photographs, with a shape of the board or with that which they support."""
     views = used.views
     try:
         flat = compare(views, used.size)
@@ -256,7 +275,8 @@ def _not_developed(share: float) -> str:
 STAGES = (
     Stage("boards", boards),
     Stage("used", _used, ("boards",)),
-    Stage("every", _every, ("used",)),
+    Stage("all", _all, ("boards",)),
+    Stage("every", _every, ("boards", "used", "all")),
     Stage("trials", _trials, ("used", "every")),
     Stage("result", _result, ("used", "every", "trials")),
     Stage("looked", _shown, ("boards",)),
