@@ -58,7 +58,7 @@ REPLACEMENTS = (
     (re.compile(r"(?<!-)---(?!-)"), "—"),
     (re.compile(r"(?<!-)--(?!-)"), "–"),
     (re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
-    (re.compile(rf"(?<=\d) (?=(?:{UNITS})\b)"), "\u00a0"),
+    (re.compile(rf"(?<=\d) (?=(?:{UNITS})\b|%)"), "\u00a0"),
 )
 
 
@@ -111,7 +111,7 @@ def _parted(opening: Token, inline: Token) -> Iterator[Token]:
 OPENING = re.compile(r"[(\[“‘„‚]+$")
 MARKS = r"^(?:[^\s\w(\[“‘]{1,3})?"
 CLOSING = re.compile(MARKS)
-CLOSING_AND_UNIT = re.compile(rf"{MARKS}(?:[\u00a0\u202f][^\s]+|^ (?:{UNITS})\b)?")
+CLOSING_AND_UNIT = re.compile(rf"{MARKS}(?:[\u00a0\u202f][^\s]+|^ (?:(?:{UNITS})\b|%))?")
 LONG = 30
 """Characters of TeX from which a formula may part from its unit: together they fill a phone."""
 
