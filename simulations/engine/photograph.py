@@ -26,7 +26,8 @@ class Whole:
     most_megapixels: float = 24.0
     """Photographs of more pixels are scaled down to as many."""
     mosaic: bool = False
-    """Whether `read` takes the cells of raw files. The pictures of these photographs are small."""
+    """Whether `read`, or the stages of a scene without it, take the cells of raw files that have a
+    Bayer mosaic. The pictures of these photographs are small."""
 
     def __post_init__(self) -> None:
         if not 0.0 < self.most_megapixels <= MOST_MEGAPIXELS:
@@ -72,7 +73,7 @@ class Photograph:
     ``lens``, ``orientation``, ``exposure_s``, ``f_number`` and ``iso``; and ``raw`` of a raw
     file."""
     mosaic: Mosaic | None = field(default=None, compare=False, repr=False)
-    """The cells of a raw file, if the scene reads those."""
+    """The cells of a raw file, if the scene takes those and it has a Bayer mosaic."""
 
     def __post_init__(self) -> None:
         codes = self.codes

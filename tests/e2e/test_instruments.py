@@ -156,8 +156,7 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
         assert len(paper.pages) == 1
         assert "green, row 0" in paper.pages[0].extract_text()
 
-    with step("the developed picture of a raw file has its sharpness"):
-        # The other instruments get the developed picture, which clips no white.
+    with step("the green cells of a raw file have its sharpness"):
         light = 0.05 + 0.85 * gaussian_edge(360, 480, 5.0, 1.0)
         grain = np.random.default_rng(2).normal(0.0, 3.0, light.shape)
         cells = np.rint(64 + 4031 * light + grain).astype(np.uint16)

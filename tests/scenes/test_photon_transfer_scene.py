@@ -216,6 +216,7 @@ RAW_EDGE[:, 50:] //= 2
         (photograph(1, np.zeros((1, 1, 3), np.uint8)), "smaller"),
         (photograph(1, EDGE), "not evenly lit"),
         (photograph(1, as_srgb(light_of(100.0, 1)), full_width=6000.0), "scaled down"),
+        (photograph(1, as_srgb(light_of(100.0, 1)), raw=1), "no mosaic"),
         (raw(1, RAW_EDGE), "not evenly lit"),
         (raw(1, CELLS[0][:100]), "smaller"),
     ],

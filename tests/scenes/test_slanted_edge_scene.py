@@ -12,10 +12,11 @@ from support.charts import gaussian_edge, gaussian_half, grain
 from support.frames import frame_of, outputs_of, pixels_of, texts_at, texts_of
 
 from simulations.engine.frame import Frame
-from simulations.engine.photograph import Photograph
+from simulations.engine.photograph import Mosaic, Photograph
 from simulations.engine.reading import UnfitError
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.resolution import pixel_pitch_um
 from simulations.scenes.slanted_edge.plots import OF_LINE
 from simulations.scenes.slanted_edge.results import sheet
@@ -126,6 +127,27 @@ def test_error_counts_how_much_the_colours_differ(apart: float) -> None:
     assert off < 2 * found.half.error
     assert (found.colour > 0.004) == (apart > 0)
     assert len(found.channels) == 3
+
+
+@pytest.mark.parametrize("tint", [(1.0, 1.0, 1.0), (1.3, 1.0, 0.4)])
+def test_colours_of_a_raw_file_are_measured_by_their_own_cells(tint: tuple[float, ...]) -> None:
+    """Whatever the light; the number of the picture is that of green."""
+    spots = (1.3, 0.9, 1.1)
+    edges = [gaussian_edge(241, 321, 5.0, spot) for spot in spots]
+    light = 0.05 + 0.6 * np.stack(edges, axis=2) + grain((241, 321, 3), 0.005, 2)
+    codes = np.rint(512 + 15871 * mosaic(tint * light, "GRBG")).astype(np.uint16)
+    cells = Mosaic(codes, "GRBG", (512.0,) * 4, 16383)
+    shown = np.full((120, 160, 3), 90, np.uint8)
+    picture = Photograph(7, shown, "edge.dng", {"raw": 1, "full_width": 321.0}, cells)
+    settings = SCENE.check({})
+    outputs = SCENE.run(settings, "", StageCache(), picture).outputs
+    found = outputs["sharpness"]
+    for one, spot in zip(found.channels, spots, strict=True):
+        half = one.half_contrast()
+        assert abs(half.frequency - gaussian_half(spot)) < 3 * half.error
+        assert half.error < 0.02 * half.frequency
+    assert found.half == found.channels[1].half_contrast()
+    assert "green cells" in sheet(settings, outputs)[0].label
 
 
 def test_reduced_photograph_gives_no_number() -> None:

@@ -32,6 +32,8 @@ FALL, ABOVE = 0.006, 0.02
 the limit of diffraction, in a picture that is not sharpened ..."""
 SURE = 3.0
 """... and by how many standard errors more."""
+LEAST_CORRELATION = 0.01
+"""Size of a correlation of the noise of neighbours, beyond chance, that is due to software."""
 HALOS = (4.0, 8.0, 16.0)
 """Widths of halos that are looked for."""
 FREQUENCIES = np.linspace(0.0, 1.0, 51)
@@ -95,12 +97,31 @@ class EdgeReading:
         spread = self.curve.spread(self.pixels.reach * np.linspace(-0.5, 0.5, 257))
         return float(np.max(np.maximum(spread - 1.0, -spread), initial=0.0))
 
+    @property
+    def noise_correlation(self) -> tuple[float, float]:
+        """Correlation of the noise of neighbours in rows, beside the edge, and its standard error.
+
+        0 for pixels read one by one, above for those that were estimated from neighbours, smoothed
+        or compressed, and below for those from which a part of their neighbours was taken off.
+        """
+        pixels = self.pixels
+        beside = np.abs(pixels.distance) > 0.25 * pixels.reach
+        off = np.where(beside, pixels.value - self.curve.spread(pixels.distance), 0.0)
+        near = beside[1:] & beside[:-1] & (pixels.row[1:] == pixels.row[:-1])
+        variance = max(float(np.mean(off[beside] ** 2)), 1e-300)
+        shared = float(np.mean((off[1:] * off[:-1])[near]))
+        return shared / variance, max(float(np.count_nonzero(near)), 1.0) ** -0.5
+
     def is_sharpened(self, limit: Floats | float = 1.0) -> bool:
         """Whether software has sharpened the picture.
 
         Behind a lens, the light rises all the way across the edge, and no contrast exceeds 1 or
-        ``limit`` (F,), that of diffraction, at `FREQUENCIES`.
+        ``limit`` (F,), that of diffraction, at `FREQUENCIES`. What sharpens an edge makes the noise
+        of neighbours correlate negatively.
         """
+        correlation, chance = self.noise_correlation
+        if correlation < -LEAST_CORRELATION - SURE * chance:
+            return True
         for width in HALOS:
             end = min(self.pixels.reach - 0.5 * width, 3.0 * width)
             rise, error = self.curve.rise(np.arange(-end, end + 0.1, 0.25), width)

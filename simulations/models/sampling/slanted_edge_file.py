@@ -37,11 +37,11 @@ def light_of_codes(codes: NDArray[np.uint8], *, srgb: bool, tone: float = 0.0) -
         raise UnfitEdgeError(TOO_DARK.format(0))
     light = light_of_code(srgb=srgb, tone=tone)
     for channel in range(3):
-        _require_no_plateau(np.bincount(codes[..., channel].ravel(), minlength=256), light)
+        require_no_plateau(np.bincount(codes[..., channel].ravel(), minlength=256), light)
     return luminance(light.astype(np.float32)[codes])
 
 
-def _require_no_plateau(counts: NDArray[np.intp], light: Floats) -> None:
+def require_no_plateau(counts: NDArray[np.intp], light: Floats) -> None:
     """Raises `UnfitEdgeError` if one side of an edge is clipped, by the counts of the codes (256,):
     most of its pixels share its last code, though the other side has noise. Noise in the light is
     no less than in the dark, and in the dark no less than in proportion to √light."""

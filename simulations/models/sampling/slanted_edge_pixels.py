@@ -1,6 +1,6 @@
 """The pixels of a picture of an edge, by their distances from it. Lengths are in pixels."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -62,8 +62,12 @@ def locate_edge(picture: ArrayLike) -> EdgePixels:
 
 
 def pixels_beside(line: EdgeLine, unit: float = 1.0) -> EdgePixels:
-    """The pixels of a line's picture by their distances from it; ``unit`` is the light of a 1."""
+    """The pixels of a line's picture by their distances from it; ``unit`` is the light of a 1.
+
+    Pixels that are NaN, and rows that have no others, are left out.
+    """
     height, width = line.picture.shape
+    line = replace(line, rows=line.rows[np.isfinite(line.picture[line.rows]).any(axis=1)])
     y = centred(height)[line.rows]
     edge = line.column(y) + 0.5 * (width - 1)
     room = min(quantile_of(edge), width - 1 - quantile_of(edge))
@@ -73,7 +77,7 @@ def pixels_beside(line: EdgeLine, unit: float = 1.0) -> EdgePixels:
     beside = reach / np.cos(line.angle_rad) + 1.0
     columns = slice(max(0, int(edge.min() - beside)), int(edge.max() + beside) + 2)
     light, distance = line.picture[line.rows, columns], line.distances(columns)
-    near = np.abs(distance) < reach
+    near = (np.abs(distance) < reach) & np.isfinite(light)
     light = light / _fall_off(light, distance, y, near, reach)
     dark, bright = (_row_means(light, near & (side * distance > 0.5 * reach)) for side in (-1, 1))
     share = as_shares(light, dark, bright, y)
@@ -112,5 +116,5 @@ def _fall_off(light: Floats, distance: Floats, y: Floats, near: Mask, reach: flo
 def _row_means(values: Floats, chosen: Mask) -> Floats:
     """(N,) of the chosen pixels of each row (N, W); a row without any has the mean of all."""
     count = chosen.sum(axis=1)
-    total = np.sum(values * chosen, axis=1)
+    total = np.sum(values, axis=1, where=chosen)
     return np.where(count > 0, total / np.maximum(count, 1), total.sum() / max(count.sum(), 1))

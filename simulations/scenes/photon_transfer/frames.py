@@ -75,6 +75,10 @@ TONED = (
 )
 TOO_FEW = f"A tone curve needs {FEWEST} exposures whose files say how long they were."
 TOO_SMALL = f"The photograph is smaller than {SMALLEST} × {SMALLEST} pixels; take a larger one."
+NO_MOSAIC = (
+    "The file has no mosaic of 2 × 2 cells, red, green and blue; take a raw file of another "
+    "camera, or a JPEG or PNG."
+)
 SCALED = (
     "The photograph was scaled down, which averages its noise; save the middle of it as a file of "
     "at most 24 megapixels, without scaling."
@@ -114,6 +118,8 @@ def read(photograph: Photograph) -> Mapping[str, Any]:
     if photograph.mosaic is not None:
         return read_cells(photograph.mosaic, photograph.facts)
     codes, facts = photograph.codes, photograph.facts
+    if "raw" in facts:
+        raise UnfitError(NO_MOSAIC)
     if min(codes.shape[:2]) < SMALLEST:
         raise UnfitError(TOO_SMALL)
     if photograph.is_scaled:

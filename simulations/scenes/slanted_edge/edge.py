@@ -12,7 +12,7 @@ import numpy as np
 from simulations.engine.controls import PointLists
 from simulations.engine.frame import Raster
 from simulations.engine.handles import Point
-from simulations.engine.photograph import Codes, Photograph
+from simulations.engine.photograph import Codes, Mosaic, Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.reading import Readings
 from simulations.engine.settings import action, choice, points, slider
@@ -23,6 +23,7 @@ from simulations.models.color.tone_curve import TYPICAL
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading, HalfContrast, measure
+from simulations.models.sampling.slanted_edge_cells import light_of_cells, line_of_cells
 from simulations.models.sampling.slanted_edge_file import light_of_code, light_of_codes
 from simulations.models.sampling.slanted_edge_line import UnfitEdgeError
 from simulations.models.sampling.slanted_edge_picture import edge_picture, edge_transfer
@@ -44,6 +45,10 @@ MOST_SHOWN = 1200  # largest side in px at which a photograph is shown; it is me
 SEARCHED = 400  # largest side in px of the picture in which an edge is looked for
 MOST_KEPT = 8  # places
 CROP = (slice(None), slice(41, 101), slice(31, 111))  # an eye of the cat
+UNSEEN = 0.1  # of MTF50: half of the sharpening that may raise it unseen in a developed file
+OTHER_COLOURS = (
+    "The cells of this file see other colours than red, green and blue: use a JPEG or PNG."
+)
 SCALED = (
     "This picture was scaled down, which changes its sharpness: save the part around the edge as a "
     "smaller file, without scaling."
@@ -105,6 +110,23 @@ class Box:
     """Place of the picture's upper left corner in the panel."""
 
     @property
+    def off_middle(self) -> float:
+        """Distance from the middle of the picture, in % of its half diagonal."""
+        (across, down), (left, top) = self.at(0.5 * self.size[0], 0.5 * self.size[1]), self.corner
+        away = math.hypot(across - 0.5 * WIDTH, down - 0.5 * HEIGHT)
+        return 100.0 * away / math.hypot(0.5 * WIDTH - left, 0.5 * HEIGHT - top)
+
+    @property
+    def rows(self) -> slice:
+        """Of the picture."""
+        return slice(self.top, self.bottom)
+
+    @property
+    def columns(self) -> slice:
+        """Of the picture."""
+        return slice(self.left, self.right)
+
+    @property
     def size(self) -> tuple[int, int]:
         """Width and height in pixels."""
         return self.right - self.left, self.bottom - self.top
@@ -146,11 +168,14 @@ class Sharpness:
     tone: float = 0.0
     """Part of the error of MTF50 that is due to an unknown tone curve, in cycles per pixel."""
     sharpened: bool = False
+    unseen: float = 0.0
+    """Part of the error of MTF50 that is due to sharpening that a file may have and not show."""
     channels: tuple[EdgeReading, ...] = ()
     """Measurements of red, green and blue in a colour photograph."""
     colour: float = 0.0
     """Part of the error of MTF50 by which a colour differs from the luminance, beyond its own
-    error: lateral colour blurs the luminance, and sharpens no colour."""
+    error: lateral colour blurs the luminance, and sharpens no colour. 0 for the green cells of a
+    raw file."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,8 +257,16 @@ def found_rectangle(codes: Codes, place: Point) -> dict[str, float]:
     return {name: 100.0 * side / WIDTH for name, side in found.items()}
 
 
-def chosen_box(codes: Codes, x: float, y: float, width: float, height: float) -> Box:
-    return box_in((codes.shape[1], codes.shape[0]), (x, y), (width, height))
+def chosen_box(
+    codes: Codes, x: float, y: float, width: float, height: float, photograph: Photograph | None
+) -> Box:
+    """Of a raw file its cells, whole quads of them."""
+    if photograph is None or photograph.mosaic is None:
+        return box_in((codes.shape[1], codes.shape[0]), (x, y), (width, height))
+    rows, columns = photograph.mosaic.codes.shape
+    quads = box_in((columns // 2, rows // 2), (x, y), (width, height))
+    (left, top), (right, bottom) = (quads.left, quads.top), (quads.right, quads.bottom)
+    return Box(2 * left, 2 * top, 2 * right, 2 * bottom, 2 * quads.per_unit, quads.corner)
 
 
 @dataclass(frozen=True, slots=True)
@@ -260,14 +293,27 @@ def tone_of(photograph: Photograph | None, response: str, readings: Readings) ->
 def edge_pixels(
     codes: Codes, box: Box, tone: Tone, response: str, photograph: Photograph | None
 ) -> EdgePixels | str:
-    """The pixels of the edge in the rectangle, or the fault of the picture or the rectangle."""
-    if photograph is not None and photograph.is_scaled:
-        return SCALED
-    cut = codes[box.top : box.bottom, box.left : box.right]
+    """The pixels of the edge in the rectangle, or the fault of the picture or the rectangle; of a
+    raw file the green cells."""
+    mosaic = photograph.mosaic if photograph else None
     try:
+        if mosaic is not None:
+            light = cells_in(box, mosaic)
+            return pixels_beside(line_of_cells(light).on(light[..., 1]))
+        if photograph is not None and photograph.is_scaled:
+            return SCALED
+        cut = codes[box.rows, box.columns]
         return locate_edge(light_of_codes(cut, srgb=response == "srgb", tone=tone.strength))
     except UnfitEdgeError as problem:
         return str(problem)
+
+
+def cells_in(box: Box, mosaic: Mosaic) -> Floats:
+    """(H, W, 3) light of a raw file's cells."""
+    if set(mosaic.colours) != set("RGB"):
+        raise UnfitEdgeError(OTHER_COLOURS)
+    cut = mosaic.codes[box.rows, box.columns]
+    return light_of_cells(cut, mosaic.colours, mosaic.black, mosaic.white)
 
 
 def most_contrast(aperture: float, pitch: float, photograph: Photograph | None) -> Floats | float:
@@ -290,14 +336,24 @@ def pitch_um(photograph: Photograph | None) -> float | None:
 
 
 def channels(
-    cut: Codes, pixels: EdgePixels, tone: Tone, response: str, photograph: Photograph | None
+    codes: Codes,
+    box: Box,
+    pixels: EdgePixels,
+    tone: Tone,
+    response: str,
+    photograph: Photograph | None,
 ) -> tuple[EdgeReading, ...]:
-    """Red, green and blue, along the line that the luminance has; none for a grey file."""
-    if photograph is None or is_grey(cut):
+    """Red, green and blue, along the line that was found; none for a grey file."""
+    cut = codes[box.rows, box.columns]
+    if photograph is None or (photograph.mosaic is None and is_grey(cut)):
         return ()
-    light = light_of_code(srgb=response == "srgb", tone=tone.strength)
     try:
-        return tuple(measure(pixels_beside(pixels.line.on(light[cut[..., k]]))) for k in range(3))
+        light = (
+            cells_in(box, photograph.mosaic)
+            if photograph.mosaic
+            else light_of_code(srgb=response == "srgb", tone=tone.strength)[cut]
+        )
+        return tuple(measure(pixels_beside(pixels.line.on(light[..., k]))) for k in range(3))
     except UnfitEdgeError:
         return ()
 
@@ -323,18 +379,22 @@ def sharpness(
         return replace(nothing, refusal=str(problem))
     half = reading.half_contrast()
     by_tone = tone_error(reading, tone.error) if tone.error else 0.0
-    cut = codes[box.top : box.bottom, box.left : box.right]
-    each = channels(cut, pixels, tone, response, photograph)
-    halves = [one.half_contrast() for one in each]
+    each = channels(codes, box, pixels, tone, response, photograph)
+    mixed = () if photograph and photograph.mosaic else each
+    halves = [one.half_contrast() for one in mixed]
     apart = [abs(one.frequency - half.frequency) - one.error for one in halves]
     by_colour = max((off for off in apart if math.isfinite(off)), default=0.0)
     by_colour = max(by_colour, 0.0)
+    sharpened = reading.is_sharpened(most_contrast(aperture, pitch, photograph))
+    is_known = sharpened or not tone.error or math.isinf(half.frequency)
+    unseen = 0.0 if is_known else UNSEEN * half.frequency
     return Sharpness(
         reading,
-        replace(half, error=math.hypot(half.error, by_tone, by_colour)),
+        replace(half, error=math.hypot(half.error, by_tone, by_colour, unseen)),
         *reading.transfer(FREQUENCIES),
         tone=by_tone,
-        sharpened=reading.is_sharpened(most_contrast(aperture, pitch, photograph)),
+        sharpened=sharpened,
+        unseen=unseen,
         channels=each,
         colour=by_colour,
     )
@@ -354,7 +414,8 @@ def kept_edges(
     tall, found = 100.0 * HEIGHT / WIDTH, []
     for (left, top), (right, bottom) in zip(corners[::2], corners[1::2], strict=False):
         centre = 50.0 * (left + right), 0.5 * tall * (top + bottom)
-        box = chosen_box(codes, *centre, 100.0 * (right - left), tall * (bottom - top))
+        sides = 100.0 * (right - left), tall * (bottom - top)
+        box = chosen_box(codes, *centre, *sides, photograph)
         pixels = edge_pixels(codes, box, tone, response, photograph)
         by = response, aperture, pitch, photograph
         found.append(KeptEdge(box, sharpness(codes, box, pixels, tone, *by)))

@@ -16,7 +16,7 @@ from simulations.models.arrays import Floats
 from simulations.models.sampling.first_fall import first_fall
 from simulations.models.sampling.slanted_edge import FREQUENCIES, EdgeReading
 from simulations.models.sensor.photon_transfer_file import camera_of
-from simulations.scenes.slanted_edge.edge import Box, KeptEdge, Settings, Sharpness, pitch_um
+from simulations.scenes.slanted_edge.edge import KeptEdge, Settings, Sharpness, pitch_um
 
 PER_MM, PER_PX = "cycles/mm", "cycles/px"
 NOT_MEASURABLE = "not measurable"
@@ -50,7 +50,7 @@ def readouts(settings: Settings, outputs: Outputs) -> tuple[Readout, ...]:
         else readout(name, label, value, unit, digits=digits, role=role)
         for name, label, value, unit, digits, role in found
     )
-    away = off_middle(outputs["box"], outputs)
+    away = outputs["box"].off_middle
     middle = readout("place", "From the middle to the corner", away, "%", digits=0)
     return (*numbers, overshoot_readout(measured), angle, middle)
 
@@ -69,11 +69,9 @@ def overshoot_readout(measured: Sharpness) -> Readout:
     return Readout("overshoot", "Overshoot", size, "%")
 
 
-def off_middle(box: Box, outputs: Outputs) -> float:
-    """Distance of a rectangle from the middle of the picture, in % of the half diagonal."""
-    height, width = outputs["codes"].shape[:2]
-    across, down = 0.5 * (box.left + box.right - width), 0.5 * (box.top + box.bottom - height)
-    return 100.0 * math.hypot(across, down) / math.hypot(0.5 * width, 0.5 * height)
+def is_by_cells(outputs: Outputs) -> bool:
+    """Whether the picture is a raw file, whose colours are measured by their own cells."""
+    return outputs["photograph"] is not None and outputs["photograph"].mosaic is not None
 
 
 def direction(reading: EdgeReading) -> str:
@@ -108,9 +106,10 @@ def lines_of(
     """MTF50 in both units, and halos if there are any."""
     reading, half, scale = place.sharpness.reading, place.sharpness.half, per_mm(settings)
     assert reading is not None
-    middle = format_number(off_middle(place.box, outputs), 0)
+    middle = format_number(place.box.off_middle, 0)
     where = f"{middle} % of the way from the middle to the corner"
-    label = f"MTF50, {where}, along the {direction(reading)}"
+    of = " of the green cells" if is_by_cells(outputs) else ""
+    label = f"MTF50{of}, {where}, along the {direction(reading)}"
     value = value_with_error(half.frequency, half.error)
     yield Readout(f"mtf50_{number}", label, value, PER_PX)
     label = f"The same with pixels of {format_number(settings.pitch, 2)} µm"
@@ -123,6 +122,10 @@ def lines_of(
         known = "found by exposures" if outputs["tone"].strength else "unknown"
         label = f"Of its error, the tone curve, {known}, with an edge of {apart} : 1"
         yield Readout(f"tone_{number}", label, words, "%")
+    if place.sharpness.unseen:
+        words = format_number(100.0 * place.sharpness.unseen / half.frequency, 0)
+        label = "Of its error, sharpening that would not show"
+        yield Readout(f"unseen_{number}", label, words, "%")
     if place.sharpness.colour:
         words = format_number(100.0 * place.sharpness.colour / half.frequency, 1)
         yield Readout(f"colour_{number}", "Of its error, how much the colours differ", words, "%")
@@ -211,14 +214,16 @@ def facts_of(place: KeptEdge, outputs: Outputs) -> dict[str, object]:
     assert reading is not None
     return {
         "rectangle_px": [box.left, box.top, box.right, box.bottom],
-        "share_from_middle_to_corner": off_middle(box, outputs) / 100.0,
+        "share_from_middle_to_corner": box.off_middle / 100.0,
         "waves_along": direction(reading),
         "slant_deg": math.degrees(reading.pixels.line.angle_rad),
         "mtf50_cycles_per_px": half.frequency if math.isfinite(half.frequency) else None,
         "mtf50_standard_error": half.error if math.isfinite(half.error) else None,
+        "measured_of": "green cells" if is_by_cells(outputs) else "luminance",
         "overshoot": reading.overshoot,
         "of_which_tone_curve": place.sharpness.tone,
         "of_which_colours": place.sharpness.colour,
+        "of_which_unseen_sharpening": place.sharpness.unseen,
         "sharpened": place.sharpness.sharpened,
         "noise_of_step": reading.curve.noise,
     }

@@ -269,7 +269,7 @@ SCENE = Scene(
         Handle("forget", "waves", "All places", ("kept",), nowhere, forget, reach="aim"),
     ),
     instrument=Instrument(
-        photograph=Whole(MOST_MEGAPIXELS),
+        photograph=Whole(MOST_MEGAPIXELS, mosaic=True),
         samples={
             f"at f-{aperture}, {what}.png": partial(sample, float(aperture), sharpening)
             for aperture in (4, 8, 16)

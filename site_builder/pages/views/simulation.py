@@ -314,7 +314,8 @@ def menu_tier(figure: Simulation) -> str:
 
 def schema(initial_frame: InitialFrame, recorded: LevelCosts) -> dict[str, object]:
     """What the page's script must know of the figure: controls, starting values, levels and
-    their times; of a photograph width and height in px, or most megapixels."""
+    their times; of a photograph width and height in px, or most megapixels, and whether the
+    figure itself takes the cells of raw files."""
     scene = initial_frame.figure.scene
     photograph = scene.instrument.photograph
     return {
@@ -327,6 +328,7 @@ def schema(initial_frame: InitialFrame, recorded: LevelCosts) -> dict[str, objec
         "within": dict(scene.accuracy.within),
         "recorded": dict(recorded),
         "photograph": photograph.most_megapixels if isinstance(photograph, Whole) else photograph,
+        "mosaic": scene.instrument.reads_mosaics and scene.instrument.read is None,
     }
 
 

@@ -38,6 +38,8 @@ export interface Schema {
   recorded: Record<string, Record<string, number>>;
   /** Width and height in pixels, or the most megapixels of one that is not cut. */
   photograph: [number, number] | number | null;
+  /** Whether the figure takes the cells of raw files. */
+  mosaic: boolean;
 }
 
 export function readValues(form: HTMLFormElement, controls: Control[]): Record<string, Value> {

@@ -104,12 +104,7 @@ export class LiveFigure {
       if (!isMoving) this.levels.settle(control);
       this.#ask(time, control, isMoving);
     });
-    this.pictures = new ReaderPicture(
-      figure,
-      this.schema.photograph,
-      () => this.#askAgain(),
-      signal,
-    );
+    this.pictures = new ReaderPicture(figure, this.schema, () => this.#askAgain(), signal);
     this.#listen(signal);
     const pull = (pull: Pull) => this.#pull(pull);
     this.handles = new Handles(this.figures, this.form, this.schema, pull, signal);

@@ -23,7 +23,7 @@ interface DecodedPicture {
   mosaic?: Mosaic;
 }
 
-/** How to decode a file; a raw one into its cells or a picture of some megapixels. */
+/** How to decode a file; a raw one into its cells, if they are wanted and there are any, or a picture of some megapixels. */
 interface DecodeOptions {
   mosaic: boolean;
   megapixels: number;
@@ -55,10 +55,15 @@ export function nextPictureNumber() {
 }
 
 /** A picture at a scene's size, or an error with its reason and a remedy. */
-export function decodePicture(source: Source, number: number, size: Size): Promise<Picture> {
+export function decodePicture(
+  source: Source,
+  number: number,
+  size: Size,
+  mosaic: boolean = false,
+): Promise<Picture> {
   const megapixels = typeof size === "number" ? size : (size[0] * size[1]) / 1e6;
   const measured = typeof size === "number";
-  const wanted = { mosaic: false, megapixels, measured, report: () => {} };
+  const wanted = { mosaic, megapixels, measured, report: () => {} };
   return runInTurn(
     async () => await toPicture(source, await decodeFile(source, wanted), number, size),
   );

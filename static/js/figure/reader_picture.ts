@@ -4,6 +4,7 @@ import { errorText } from "../errors.ts";
 import { findOptional, find, closestTo } from "../page/dom.ts";
 import type { Picture, Reading } from "../runtime/messages.ts";
 import type { Caller } from "../runtime/runtime.ts";
+import type { Schema } from "./controls.ts";
 import type { Size, Source } from "./photograph.ts";
 import { showMessage } from "./status.ts";
 
@@ -23,13 +24,13 @@ export class ReaderPicture {
   #sent = { picture: "", readings: "" };
 
   /**
-   * @param size That its scene computes with; null: it takes no picture.
+   * @param schema Of a scene that takes no picture, `photograph` is null.
    * @param changed There are other pictures, or none any more.
    * @param signal Ends all listening.
    */
   constructor(
     readonly figure: HTMLElement,
-    readonly size: Size | null,
+    readonly schema: Pick<Schema, "photograph" | "mosaic">,
     readonly changed: () => void,
     signal: AbortSignal,
   ) {
@@ -53,6 +54,11 @@ export class ReaderPicture {
       },
       { signal },
     );
+  }
+
+  /** That its scene computes with; null: it takes no picture. */
+  get size(): Size | null {
+    return this.schema.photograph;
   }
 
   /** A key of the pictures; empty for the book's. */
@@ -99,7 +105,7 @@ export class ReaderPicture {
     if (!chosen || !this.size) return null;
     if (taken?.number === chosen.number) return taken;
     const { decodePicture } = await import("./photograph.ts");
-    return await decodePicture(chosen, chosen.number, this.size);
+    return await decodePicture(chosen, chosen.number, this.size, this.schema.mosaic);
   }
 
   async #choose(event: Event) {

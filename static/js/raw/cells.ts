@@ -21,7 +21,7 @@ export const LINEAR = {
 /** Quads sampled for the level of black. */
 const SAMPLES = 1000;
 /** Longer side of the picture that stands for the mosaic. */
-const PICTURE_PX = 512;
+const PICTURE_PX = 1200;
 
 /** Whether colours repeat every two rows and two columns. */
 export function isBayer({ filters }: Metadata) {

@@ -49,7 +49,6 @@ export async function openRaw(
 const REFUSALS = {
   no_decoder: "raw.no_decoder",
   damaged: "raw.damaged",
-  no_mosaic: "raw.no_mosaic",
   huge: "photograph.huge",
 };
 

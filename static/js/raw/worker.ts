@@ -13,14 +13,14 @@ import type { Mosaic } from "../runtime/messages.ts";
 
 export interface RawRequest {
   file: Blob;
-  /** Whether the codes of the cells are wanted; else a picture. */
+  /** Whether the codes of the cells are wanted, where they are a Bayer mosaic; else a picture. */
   mosaic: boolean;
   /** How many pixels the picture is wanted with. */
   megapixels: number;
 }
 
 /** Why a file is refused; a word of `script.raw`. */
-type Fault = "no_decoder" | "unknown" | "damaged" | "no_mosaic" | "huge";
+type Fault = "no_decoder" | "unknown" | "damaged" | "huge";
 
 export type RawReply =
   | { fetching: number }
@@ -80,7 +80,8 @@ function decode(
   const pixels = (width * height) / 1e6;
   if (pixels > MOST_MEGAPIXELS) throw new Refused("huge", { width, height, most: MOST_MEGAPIXELS });
   const description = { full: [width, height] as [number, number], facts: factsOf(about) };
-  if (mosaic) return { ...description, ...cellsOf(libraw, about) };
+  const cells = mosaic && isBayer(about) ? cellsOf(libraw, about) : null;
+  if (cells) return { ...description, ...cells };
   const half = pixels > MOST_IN_FULL || pixels / 4 >= megapixels;
   openFile(libraw, file, { ...AS_SHOT, halfSize: Number(half) });
   free(file);
@@ -105,11 +106,11 @@ function openFile(libraw: LibRaw, file: Uint8Array, settings: object): Metadata 
   return libraw.metadata(true);
 }
 
-/** Cells of a file opened for `LINEAR`. */
+/** Cells of a file opened for `LINEAR`, if it has any. */
 function cellsOf(libraw: LibRaw, about: Metadata) {
-  if (!isBayer(about)) throw new Refused("no_mosaic");
   const linear = required(libraw.imageData(), "damaged");
-  const cells = required(wholeCells(libraw, about), "no_mosaic");
+  const cells = wholeCells(libraw, about);
+  if (!cells) return null;
   const { data, width, height } = pictureOf(about, linear);
   const picture = { width, height, colors: 4, data: new Uint8Array(data.buffer) };
   return { picture, mosaic: mosaicOf(about, cells, linear) };

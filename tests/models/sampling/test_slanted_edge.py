@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from PIL import Image
+from scipy.ndimage import gaussian_filter
 from scipy.special import erf, j1
 from support.charts import gaussian_edge, gaussian_half, grain
 
@@ -22,6 +23,7 @@ from simulations.models.sampling.slanted_edge import (
     EdgeReading,
     read_edge,
 )
+from simulations.models.sampling.slanted_edge_cells import light_of_cells
 from simulations.models.sampling.slanted_edge_file import TOO_DARK, TOO_LIGHT, light_of_codes
 from simulations.models.sampling.slanted_edge_line import (
     BOWED,
@@ -180,6 +182,17 @@ def test_halos_of_sharpening_are_distinguished_from_noise() -> None:
     assert sharpened(1.5).overshoot == pytest.approx(0.09, abs=0.02)
 
 
+@pytest.mark.parametrize(("blur", "amount"), [(1.2, 0.6), (0.6, 1.0)])
+def test_sharpening_without_halos_shows_in_the_noise_of_neighbours(
+    blur: float, amount: float
+) -> None:
+    """MTF50 higher by 20 % and by 14 %."""
+    for seed in range(4):
+        taken = 0.06 + 0.6 * gaussian_edge(90, 80, 5.0) + grain((90, 80), 0.005, seed)
+        assert not read_edge(taken).is_sharpened()
+        assert read_edge(taken + amount * (taken - gaussian_filter(taken, blur))).is_sharpened()
+
+
 def step(distance: Floats, sigma: float = 1.0) -> Floats:
     return np.asarray(0.5 + 0.5 * erf(distance / np.sqrt(2) / sigma))
 
@@ -250,6 +263,21 @@ def test_clipped_codes_are_refused_wherever_the_scale_ends(
     with pytest.raises(UnfitEdgeError) as refusal:
         light_of_codes(codes, srgb=True)
     assert str(refusal.value) == message
+
+
+def test_clipped_cells_are_refused_wherever_the_scale_ends() -> None:
+    light = 0.05 + 0.8 * gaussian_edge(80, 80, 5.0) + grain((80, 80), 0.005, 1)
+    codes = np.rint(512 + 3000 * light).astype(np.uint16)
+    for refused, message in (
+        (np.minimum(codes, 2000), TOO_LIGHT.format(2000)),
+        (np.minimum(2 * codes, 4095), TOO_LIGHT.format(4095)),
+        (np.maximum(codes, 900), TOO_DARK.format(900)),
+        (codes[:30], TOO_SMALL),
+    ):
+        with pytest.raises(UnfitEdgeError) as refusal:
+            light_of_cells(refused, "RGGB", (512.0,) * 4, 4095)
+        assert str(refusal.value) == message
+    assert np.nanmax(light_of_cells(codes, "RGGB", (512.0,) * 4, 4095)) < 1
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.0005, 0.001, 0.002, 0.005, 0.02])
