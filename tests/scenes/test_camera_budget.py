@@ -36,7 +36,7 @@ def all_effects_within(costs: dict[str, float], _saved: object, tolerance: float
     [
         (best_choice, True, True),
         (best_in_squares, False, True),
-        (all_effects_within, False, False),
+        (all_effects_within, False, True),
         (one_by_one, True, False),
         (leave_nothing, True, False),
     ],
