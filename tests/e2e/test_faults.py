@@ -15,7 +15,7 @@ from support.engines import window
 from support.engines.engine import Window
 from support.limits import limit_s
 from support.reader import Reader, visit
-from support.static_server import FAULTS, Fault, StaticServer
+from support.static_server import FAULTS, Fault, StaticServer, serving
 
 pytestmark = pytest.mark.browser
 
@@ -262,7 +262,12 @@ def test_outdated_page_offers_a_reload_and_python_starts_after_an_outage(
 
 
 def test_pages_without_webassembly_or_scripts_have_no_dead_controls(
-    plain_reader: Reader, chromium: Browser, server: StaticServer, built_site: Path, book: Any
+    plain_reader: Reader,
+    chromium: Browser,
+    server: StaticServer,
+    built_site: Path,
+    book: Any,
+    tmp_path: Path,
 ) -> None:
     plain_reader.open(CHAPTER, live=False)
     figure = plain_reader.figure(SCENE)
@@ -271,7 +276,13 @@ def test_pages_without_webassembly_or_scripts_have_no_dead_controls(
     assert figure.locator("svg.overlay").first.is_visible()
     plain_reader.page.goto((built_site / CHAPTER / "index.html").as_uri())
     expect(plain_reader.page.locator(".scripts-notice:visible")).to_contain_text("http.server")
-    plain_reader.errors.clear()  # the browser's own, of scripts in files
+    sandboxed = f'<iframe sandbox="allow-scripts" src="{server.url + CHAPTER}">'
+    (tmp_path / "index.html").write_text(sandboxed, encoding="utf-8")
+    with serving(tmp_path) as other:
+        plain_reader.page.goto(other.url)
+        notice = plain_reader.page.frame_locator("iframe").locator(".scripts-notice:visible")
+        expect(notice).to_contain_text("allow-same-origin")
+    plain_reader.errors.clear()  # the browser's own, of scripts in files and sandboxes
     with chromium.new_context(java_script_enabled=False) as context:
         page = context.new_page()
         for chapter in book["chapters"][::4]:

@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 from support.limits import limit_ms
 from support.reader import visit
-from support.static_server import Fault, serving
+from support.static_server import ODD_PATH, Fault, serving
 
 from site_builder.publishing.hosting import WORKER
 
@@ -18,7 +18,7 @@ def test_every_page_figure_and_the_search_work_offline_after_one_visit(
     baseline_chromium: Browser, built_site: Path, book: Any
 ) -> None:
     with (
-        serving(built_site) as host,
+        serving(built_site, path=ODD_PATH) as host,
         visit(baseline_chromium, host, service_workers="allow") as reader,
     ):
         reader.page.goto(reader.root)

@@ -7,7 +7,7 @@ import pytest
 from support.engines import open_engine
 from support.engines.engine import Engine, click, drag, press, wait_for
 from support.page_scripts import LIVE, SCROLL_TO, SLOWED, TRY_CONTROLS
-from support.static_server import serving
+from support.static_server import ODD_PATH, serving
 
 pytestmark = pytest.mark.browser
 
@@ -25,7 +25,7 @@ NAMES = ["Firefox", pytest.param("WebKitGTK", marks=pytest.mark.deep)]
 def test_whole_session_of_a_reader_works_in_other_engines(
     name: str, built_site: Path, book: Any, tmp_path: Path
 ) -> None:
-    with open_engine(name, tmp_path) as engine, serving(built_site) as host:
+    with open_engine(name, tmp_path) as engine, serving(built_site, path=ODD_PATH) as host:
         engine.open(host.url + CHAPTER)
         wait_for(engine, f"() => {LIVE}")
         move_figure(engine)

@@ -265,7 +265,7 @@ KEEP = """([storage, name, junk]) => {
 }"""
 
 
-def test_book_works_in_a_browser_that_denies_every_kind_of_storage(
+def test_book_works_where_storage_of_every_kind_and_changes_of_the_history_are_denied(
     chromium: Browser, server: StaticServer
 ) -> None:
     with visit(chromium, server, DENIED) as reader:
@@ -286,7 +286,8 @@ def test_book_works_in_a_browser_that_denies_every_kind_of_storage(
 
 DENIED = """delete globalThis.WebAssembly;
 for (const [owner, name] of [[window, 'localStorage'], [window, 'sessionStorage'],
-    [window, 'indexedDB'], [window, 'caches'], [Navigator.prototype, 'serviceWorker']]) {
+    [window, 'indexedDB'], [window, 'caches'], [Navigator.prototype, 'serviceWorker'],
+    [History.prototype, 'replaceState']]) {
   const get = () => { throw new DOMException('denied', 'SecurityError'); };
   Object.defineProperty(owner, name, {get});
 }"""

@@ -17,6 +17,9 @@ TYPES = {
     ".json": "application/json", ".woff2": "font/woff2", ".svg": "image/svg+xml",
 }  # fmt: skip
 
+ODD_PATH = "/%C3%BCb%20v1.2/a+b/"
+"""A path with a space, a letter beyond ASCII and a dot."""
+
 
 def free_port() -> int:
     """A port of this machine on which nobody listens."""
@@ -75,25 +78,26 @@ class QuietServer(ThreadingHTTPServer):
 
 
 class StaticServer:
-    """Serves the folder ``root`` at ``url`` with ``headers`` beside the usual ones.
+    """Serves the folder ``root`` at ``url``, below a path, with ``headers`` beside the usual ones.
 
     ``damaged`` maps ends of paths to bytes sent instead of the file, ``faults`` to faults of the
     reply. With ``uncached``, browsers may cache nothing; while ``offline``, no request is answered.
     """
 
-    def __init__(self, root: Path, headers: Mapping[str, str]) -> None:
+    def __init__(self, root: Path, headers: Mapping[str, str], path: str) -> None:
         self.root = root
+        self.path = path
         self.headers = headers
         self.offline = False
         self.uncached = False
         self.damaged: dict[str, bytes] = {}
         self.faults: dict[str, Fault] = {}
         self.server = QuietServer(("127.0.0.1", 0), partial(Handler, owner=self))
-        self.url = f"http://127.0.0.1:{self.server.server_address[1]}/book/"
+        self.url = f"http://127.0.0.1:{self.server.server_address[1]}{path}"
 
 
 class Handler(SimpleHTTPRequestHandler):
-    """Serves below ``/book/``, so that a page which assumes the server's root fails its test."""
+    """Serves below a path, so that a page which assumes the server's root fails its test."""
 
     extensions_map = SimpleHTTPRequestHandler.extensions_map | TYPES
     protocol_version = "HTTP/1.1"
@@ -114,14 +118,14 @@ class Handler(SimpleHTTPRequestHandler):
                 return
         for ending, fault in self.owner.faults.items():
             if path.endswith(ending):
-                file = self.owner.root / unquote(path.removeprefix("/book/"))
+                file = self.owner.root / unquote(path.removeprefix(self.owner.path))
                 file = file / "index.html" if file.is_dir() else file
                 self.send(path, fault.change(file.read_bytes()), fault)
                 return
-        if not path.startswith("/book/"):
+        if not path.startswith(self.owner.path):
             self.send_error(404)
             return
-        self.path = self.path.removeprefix("/book")
+        self.path = f"/{self.path.removeprefix(self.owner.path)}"
         super().do_GET()
 
     def send(self, path: str, content: bytes, fault: Fault) -> None:
@@ -145,9 +149,11 @@ class Handler(SimpleHTTPRequestHandler):
 
 
 @contextmanager
-def serving(root: Path, headers: Mapping[str, str] | None = None) -> Iterator[StaticServer]:
+def serving(
+    root: Path, headers: Mapping[str, str] | None = None, path: str = "/book/"
+) -> Iterator[StaticServer]:
     """Serve the folder while the block runs."""
-    server = StaticServer(root, headers or {})
+    server = StaticServer(root, headers or {}, path)
     thread = threading.Thread(target=server.server.serve_forever, args=(0.01,), daemon=True)
     thread.start()
     try:

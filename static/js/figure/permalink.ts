@@ -10,7 +10,7 @@
 
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
 import { findAll, data, find } from "../page/dom.ts";
-import { isAddressCurrent } from "../page/navigate.ts";
+import { changeHistory, isAddressCurrent } from "../page/navigate.ts";
 import { words } from "../page/words.ts";
 import {
   type Control,
@@ -112,8 +112,8 @@ export function record(
   if (!isEmbed() && url.search.includes(`${id}.`)) url.hash = id; // so that the address is the figure's link
   // A figure that has left with its page has nothing to say in the address of the next.
   if (!figure.isConnected || !isAddressCurrent() || url.href === location.href) return;
-  if (entry === "replace") history.replaceState(history.state, "", url);
-  else history.pushState({ ...history.state, scroll: Math.round(scrollY) }, "", url);
+  if (entry === "replace") changeHistory("replaceState", history.state, url);
+  else changeHistory("pushState", { ...history.state, scroll: Math.round(scrollY) }, url);
 }
 
 /** Bring every figure of the page to where the address says, or back to the page's start. */

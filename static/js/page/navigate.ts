@@ -199,8 +199,17 @@ function jumpTo(top: number) {
 function saveScroll() {
   clearTimeout(scrollTimer);
   if (!isAddressCurrent()) return;
-  const state = { ...history.state, scroll: Math.round(scrollY), opened: openFolds() };
-  history.replaceState(state, "");
+  const here = { scroll: Math.round(scrollY), opened: openFolds() };
+  changeHistory("replaceState", { ...history.state, ...here });
+}
+
+/** Browsers refuse more than some hundred changes within seconds: the history stays as it is then. */
+export function changeHistory(change: "replaceState" | "pushState", state: unknown, url?: URL) {
+  try {
+    history[change](state, "", url);
+  } catch {
+    // The next change may be taken.
+  }
 }
 
 const POINTING_EVENTS = ["pointerover", "focusin", "touchstart"];
