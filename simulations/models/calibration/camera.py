@@ -27,6 +27,7 @@ LENSES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "k1k2": ("k1", "k2"),
         "p1p2": ("k1", "k2", "p1", "p2"),
         "k3": ("k1", "k2", "p1", "p2", "k3"),
+        "rational": ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6"),
         "fisheye": ("k1", "k2", "k3", "k4"),
     }
 )

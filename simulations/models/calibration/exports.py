@@ -77,8 +77,11 @@ def opencv_yaml(report: Report) -> str:
 
 def coefficients(lens: Lens) -> dict[str, float]:
     """By name, in OpenCV's order."""
-    fisheye = isinstance(lens, Fisheye)
-    names = ("k1", "k2", "k3", "k4") if fisheye else ("k1", "k2", "p1", "p2", "k3")
+    names: tuple[str, ...] = ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
+    if isinstance(lens, Fisheye):
+        names = ("k1", "k2", "k3", "k4")
+    elif not any(lens.radial.denominator):
+        names = names[:5]
     return dict(zip(names, lens.opencv, strict=False))
 
 
@@ -150,6 +153,7 @@ def ros_yaml(report: Report) -> str:
     """For ROS's ``camera_info``, as ``camera_calibration_parsers`` reads it."""
     fisheye = isinstance(report.camera.lens, Fisheye)
     lens = np.array([[*coefficients(report.camera.lens).values()]])
+    brown = "plumb_bob" if lens.size == 5 else "rational_polynomial"
     projection = np.hstack((report.camera.matrix, np.zeros((3, 1))))
     matrices = {
         "camera_matrix": report.camera.matrix,
@@ -161,7 +165,7 @@ def ros_yaml(report: Report) -> str:
         f"image_width: {report.size[0]}",
         f"image_height: {report.size[1]}",
         "camera_name: camera",
-        f"distortion_model: {'equidistant' if fisheye else 'plumb_bob'}",
+        f"distortion_model: {'equidistant' if fisheye else brown}",
     ]
     for name, values in matrices.items():
         rows, columns = values.shape
@@ -172,13 +176,13 @@ def ros_yaml(report: Report) -> str:
 
 def colmap_text(report: Report) -> str:
     """COLMAP's ``cameras.txt``, where the first pixel is centred at (0.5, 0.5)."""
-    camera, lens = report.camera, coefficients(report.camera.lens)
-    model = "OPENCV"
+    camera, lens = report.camera, report.camera.lens.opencv
+    model = "FULL_OPENCV"
+    if not any(lens[4:]):
+        model, lens = "OPENCV", lens[:4]
     if isinstance(camera.lens, Fisheye):
         model = "OPENCV_FISHEYE"
-    elif lens.pop("k3"):
-        model, lens = "FULL_OPENCV", coefficients(camera.lens) | {"k4": 0.0, "k5": 0.0, "k6": 0.0}
-    numbers = (camera.fx, camera.fy, camera.cx + 0.5, camera.cy + 0.5, *lens.values())
+    numbers = (camera.fx, camera.fy, camera.cx + 0.5, camera.cy + 0.5, *lens)
     parameters = " ".join(f"{number:.17g}" for number in numbers)
     return f"1 {model} {report.size[0]} {report.size[1]} {parameters}\n"
 
@@ -203,7 +207,8 @@ def lensfun_xml(report: Report, maker: Maker = Maker()) -> str:
     """
     k1, k2 = lensfun_poly5(report.camera, report.size)
     x, y = lensfun_centre(report.camera, report.size)
-    on_full_frame = lensfun_real_focal_mm(report.camera, report.size, 1.0)
+    focal_px = math.sqrt(report.camera.fx * report.camera.fy)
+    on_full_frame = focal_px * math.hypot(*FULL_FRAME_MM) / math.hypot(*report.size)
     crop = maker.crop or (on_full_frame / maker.focal_mm if maker.focal_mm else 1.0)
     real = on_full_frame / crop
     focal = maker.focal_mm or real
@@ -236,8 +241,8 @@ def lensfun_poly5(camera: Camera, size: tuple[int, int]) -> tuple[float, float]:
     """k₁ and k₂ of ``poly5``: ours in its unit, or with k₃ those closest within the picture."""
     unit = half_side_px(size) / math.sqrt(camera.fx * camera.fy)
     corner = math.hypot(*size) / (min(size) - 1)
-    if isinstance(camera.lens, Fisheye):
-        corner = min(corner, min(radial_profile.fold_radius(camera.lens.radial), WIDEST_RAD) / unit)
+    widest = WIDEST_RAD if isinstance(camera.lens, Fisheye) else math.inf
+    corner = min(corner, min(radial_profile.fold_radius(camera.lens.radial), widest) / unit)
     s = np.linspace(0.0, corner, 101)[1:] ** 2
     wanted = radial_profile.scale(camera.lens.radial, s * unit * unit) - 1.0
     r = np.sqrt(s)[:, None]  # least squares of shifts and not of factors
@@ -251,12 +256,6 @@ def lensfun_centre(camera: Camera, size: tuple[int, int]) -> tuple[float, float]
     unit = half_side_px(size)
     middle = (0.5 * (size[0] - 1), 0.5 * (size[1] - 1))
     return (camera.cx - middle[0]) / unit, (camera.cy - middle[1]) / unit
-
-
-def lensfun_real_focal_mm(camera: Camera, size: tuple[int, int], crop: float) -> float:
-    """The calibrated focal length in mm on a sensor with this crop factor."""
-    half_side_mm = 0.5 * math.hypot(*FULL_FRAME_MM) / crop * min(size) / math.hypot(*size)
-    return math.sqrt(camera.fx * camera.fy) * half_side_mm / (0.5 * min(size))
 
 
 def _escaped(words: str) -> str:

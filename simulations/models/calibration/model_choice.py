@@ -33,7 +33,9 @@ preferred."""
 
 ENOUGH_STEPS = 25
 """Steps that tell models apart: those that fit need ten, and those that do not creep on."""
-FISHEYE = "fisheye"
+RATIONAL, FISHEYE = "rational", "fisheye"
+WIDE = 1.5
+"""Longer side of the picture in focal lengths from which on the rational model is tried."""
 START_STEPS = 6
 """Steps that decide between the starts for a fisheye."""
 DRAFT_STEPS = 3
@@ -71,9 +73,10 @@ def shapes(views: Views, flat: tuple[Trial, ...]) -> tuple[Trial, ...]:
     """The best of the three richest models of the lens, with each shape of the board that the
     photographs determine; from the results for a flat board.
 
-    A fisheye must be plainly better: a shape would make up for the decentring that it lacks.
+    A fisheye must be plainly better, as a shape would make up for the decentring that it lacks; and
+    so must the rational model, which makes up for a shape.
     """
-    richest = min(flat[-3:], key=lambda t: t.left_out_px * (1 + (t.lens == FISHEYE)))
+    richest = min(flat[-3:], key=lambda t: t.left_out_px * (1 + (t.lens in (RATIONAL, FISHEYE))))
     found = [richest]
     for name in list(SHAPES)[1:] if corners_numbered_alike(views) else ("bent",):
         last = found[-1].fit
@@ -107,6 +110,8 @@ def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
     trials: list[Trial] = []
     problem = UndeterminedError(TILT)
     for lens in LENSES:
+        if lens == RATIONAL and max(size) < WIDE * camera.fx:
+            continue
         try:
             if lens == FISHEYE:
                 camera, poses = fisheye_start(views, size, camera, poses)

@@ -12,6 +12,7 @@ from simulations.models.distortion import lens_model, radial_inverse, radial_pro
 from simulations.models.distortion.decentring import DecentredLens, Linearisation
 from simulations.models.distortion.fisheye import Fisheye
 from simulations.models.distortion.lens_model import Distortion
+from simulations.models.distortion.radial_profile import RadialProfile
 
 type Lens = Distortion | Fisheye
 
@@ -63,8 +64,12 @@ def coefficient_derivatives(x: Floats, y: Floats, lens: Lens) -> dict[str, tuple
         _, _, angle = _by_angle(x, y, lens)
         shares = {f"k{n}": angle ** (2 * n + 1) / np.sqrt(r2 + ON_AXIS) for n in range(1, 5)}
         return {name: (x * share, y * share) for name, share in shares.items()}
+    below = radial_profile.scale(RadialProfile(lens.radial.denominator), r2)
+    above = radial_profile.scale(lens.radial, r2)
+    shares = {f"k{n}": r2**n / below for n in range(1, 4)}
+    shares |= {f"k{n + 3}": -above * shares[f"k{n}"] for n in range(1, 4)}
     return {
-        **{f"k{n}": (x * r2**n, y * r2**n) for n in range(1, 4)},
+        **{name: (x * share, y * share) for name, share in shares.items()},
         "p1": (2.0 * x * y, r2 + 2.0 * y * y),
         "p2": (r2 + 2.0 * x * x, 2.0 * x * y),
     }

@@ -34,7 +34,7 @@ NUMBER = (16.0, 34.0)  # place of the one large number
 ACROSS = Axis(0.0, float(len(LENSES)), LEFT, RIGHT)
 COUNTS = Axis(LEAST, MOST, 58.0, RIGHT, log=True)  # of photographs
 COUNTED = (3, 5, 10, 20, 40)
-TICKS = ("none", "k₁", "+ k₂", "+ p₁p₂", "+ k₃", "fisheye")
+TICKS = ("none", "k₁", "+ k₂", "+ p₁p₂", "+ k₃", "rational", "fisheye")
 """Each model has the coefficients of those before it, but the fisheye, which has its own four."""
 SETTLED_FROM = 5
 """Count from which errors must fit into the plot; with fewer they may be huge."""

@@ -31,8 +31,8 @@ LABELS = {
     "cy": "Principal point, down",
 }
 """Label of each parameter in px; the others are coefficients."""
-LOWERED = str.maketrans("1234", "₁₂₃₄")
-OPEN = "This model of the lens needs more photographs, or more tilted ones"
+LOWERED = str.maketrans("123456", "₁₂₃₄₅₆")
+OPEN = "This model needs a wider lens, more photographs, or more tilted ones"
 
 
 def notes_of(given: Boards, result: Result | None) -> tuple[str, ...]:

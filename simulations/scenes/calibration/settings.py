@@ -12,6 +12,7 @@ LENSES = {
     "k1k2": "k₁ and k₂",
     "p1p2": "k₁, k₂, p₁, p₂",
     "k3": "k₁, k₂, p₁, p₂, k₃",
+    "rational": "k₁ to k₆, p₁, p₂",
     "fisheye": "fisheye, k₁ to k₄ of the angle",
 }
 """The models of the lens by their names in `models.calibration.camera.LENSES`."""

@@ -112,12 +112,18 @@ def test_corners_on_one_line_are_refused_with_the_number_of_the_photograph() -> 
         closed_form(views, SIZE)
 
 
-FISHEYE = Camera(300.0, 303.0, 322.0, 236.0, Fisheye(-0.01, 0.003, -0.002, 0.0002))
+CAMERAS = {
+    "k3": TRUTH,
+    "rational": Camera(
+        600.0, 603.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08, p1=6e-4, k4=0.2, k5=-0.1, k6=0.05)
+    ),
+    "fisheye": Camera(300.0, 303.0, 322.0, 236.0, Fisheye(-0.01, 0.003, -0.002, 0.0002)),
+}
 STEP = 1e-6
 
 
 def near(lens: str, camera_step: np.ndarray, pose_step: np.ndarray) -> Linearised:
-    free, true = PINHOLE + LENSES[lens], FISHEYE if lens == "fisheye" else TRUTH
+    free, true = PINHOLE + LENSES[lens], CAMERAS[lens]
     truth = photographs(3, camera=true)
     camera = true.changed(free, true.values(free) + camera_step)
     return linearise(truth.views(0.0), camera, truth.poses.moved(pose_step), free)
@@ -125,7 +131,7 @@ def near(lens: str, camera_step: np.ndarray, pose_step: np.ndarray) -> Linearise
 
 @pytest.mark.parametrize(
     ("lens", "index"),
-    [(lens, index) for lens in ("k3", "fisheye") for index in range(len(LENSES[lens]) + 10)],
+    [(lens, index) for lens in CAMERAS for index in range(len(LENSES[lens]) + 10)],
 )
 def test_derivatives_agree_with_differences_of_residuals(lens: str, index: int) -> None:
     """Derivatives by the parameters of the camera, then by the six parameters of each pose."""

@@ -69,10 +69,12 @@ def test_json_has_camera_errors_and_poses() -> None:
 def test_ros_and_colmap_have_the_same_camera() -> None:
     """COLMAP centres the first pixel at (0.5, 0.5)."""
     rich = Camera(600.0, 603.0, 322.0, 236.0, Distortion(k1=-0.25, k2=0.08, k3=0.01))
+    wide = Camera(400.0, 401.0, 322.0, 236.0, Distortion(k1=0.4, k2=0.1, p1=1e-3, k4=0.6, k6=0.01))
     fisheye = Camera(400.0, 401.0, 322.0, 236.0, Fisheye(0.1, 0.02, 0.03, 0.04))
     for camera, ros, colmap, lens in (
         (TRUTH, "plumb_bob", "OPENCV", [-0.25, 0.08, 6e-4, -4e-4]),
         (rich, "plumb_bob", "FULL_OPENCV", [-0.25, 0.08, 0.0, 0.0, 0.01, 0.0, 0.0, 0.0]),
+        (wide, "rational_polynomial", "FULL_OPENCV", list(wide.lens.opencv)),
         (fisheye, "equidistant", "OPENCV_FISHEYE", [0.1, 0.02, 0.03, 0.04]),
     ):
         lines = ros_yaml(report(camera)).splitlines()

@@ -22,6 +22,7 @@ from simulations.models.calibration.model_choice import compare, supported
 from simulations.models.calibration.simulated import Sitting, sitting
 from simulations.models.distortion import radial_profile
 from simulations.models.distortion.fisheye import Fisheye
+from simulations.models.distortion.lens_model import Distortion
 
 FREE = PINHOLE + LENSES["fisheye"]
 LENS = Fisheye(-0.01, 0.003, -0.002, 0.0002)
@@ -55,6 +56,18 @@ def test_fisheye_is_supported_and_agrees_with_truth_within_its_errors(focal_px: 
     theirs = np.array([K[0, 0], K[1, 1], K[0, 2], K[1, 2], *lens.ravel()])
     assert found.fit.camera.values(FREE) == pytest.approx(theirs, rel=1e-4, abs=1e-5)
     assert found.rms_px == pytest.approx(rms, rel=1e-6)
+
+
+@pytest.mark.parametrize("focal_px", [640.0, 760.0, 900.0])
+def test_wide_lens_of_another_kind_agrees_with_truth_within_its_errors(focal_px: float) -> None:
+    """Its picture is larger at the rim than a fisheye's, and straighter than k₃ can make it."""
+    lens = Distortion(k1=0.61, k2=0.05, p1=3e-4, p2=-2e-4, k4=0.86, k5=0.16, k6=2e-3)
+    truth = sitting(Camera(focal_px, focal_px, 806.0, 595.0, lens), SIZE, 12, BOARD, 1)
+    found = supported(compare(truth.views(0.05, 1), SIZE))
+    assert found.lens == "rational"
+    errors = np.array([found.uncertainty.errors[name] for name in PINHOLE])
+    off = np.abs(found.fit.camera.values(PINHOLE) - truth.camera.values(PINHOLE)) / errors
+    assert off.max() < 3.5
 
 
 def test_pixels_round_trip_through_their_ideal_directions() -> None:
