@@ -38,7 +38,7 @@ from simulations.scenes._spectra import (
     LitSurface,
 )
 
-ROWS = (("in this light", "world"), ("by day", "world"))
+ROWS = (("this light", "world"), ("by day", "world"))
 VISIBLE = 2.0  # just noticeable ΔE
 
 HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))

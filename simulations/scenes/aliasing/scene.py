@@ -96,7 +96,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         words = describe(settings, pattern, passed, remaining)
         ring = drawing.nyquist_ring(pattern) if pattern.kind == "zone_plate" else ""
         over, row = ring + drawing.sample_frame(pattern), drawing.row_of(pattern, kernel)
-    title = f"The framed pixels: the {'light' if photograph else 'wave'} and its samples"
+    title = f"The framed {'light' if photograph else 'wave'} and its samples"
     fold, raster = drawing.spectrum(pattern, kernel, remaining, photograph), outputs["picture"]
     alias, nyquist = pattern.alias * pattern.rate, NYQUIST * pattern.rate
     period = 1.0 / alias if alias > 0.005 else math.inf

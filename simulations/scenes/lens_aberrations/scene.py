@@ -197,7 +197,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     return Frame(
         (
             Panel("corner", title, *size, close, pixelated=True, lead=True),
-            Panel("lens", "The light of that corner, from the side", *size, overlay=side),
+            Panel("lens", "That light from the side", *size, overlay=side),
             Panel("picture", "The whole picture", *size, picture, frame),
         ),
         (
