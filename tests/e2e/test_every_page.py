@@ -63,7 +63,7 @@ CROWDED = """(more) => [...document.querySelectorAll("simulation-figure")].flatM
   return cells > most || numbers > mostNumbers ? [`${id}: ${cells}, ${numbers}`] : [];
 })"""
 MORE_IN_SIGHT = {
-    "figure-camera": (4, 1), "figure-one-choice": (1, 2), "figure-camera-pose": (1, 3),
+    "figure-camera": (4, 1), "figure-camera-pose": (1, 3),
     "figure-jpeg": (3, 2), "figure-single-view": (3, 3), "figure-chequerboard": (2, 2),
     "figure-your-lens": (3, 2), "figure-your-edge": (3, 3), "figure-your-noise": (1, 3),
 }  # fmt: skip
@@ -174,6 +174,23 @@ TOUCHING = """(known) => {
 """Lists labels that touch; a fifth of the line height above and below the letters is empty."""
 
 
+HIGH = """([most, higher]) => {
+  for (const fold of document.querySelectorAll('details:has(simulation-figure)')) fold.open = true;
+  return [...document.querySelectorAll('figure.simulation')]
+    .map(({id, offsetHeight}) => [id, offsetHeight])
+    .filter(([id, height]) => height > (higher[id] ?? most));
+}"""
+"""Figures with controls, tools and caption that are higher than a window under its header."""
+HIGHER_ON_A_DESK = {
+    "figure-your-edge": 1165, "figure-your-lens": 1030, "figure-single-view": 975,
+    "figure-your-noise": 955,
+}  # fmt: skip
+HIGHER_ON_A_PHONE = {
+    "figure-your-edge": 1275, "figure-your-lens": 1340, "figure-single-view": 1240,
+    "figure-your-noise": 1080, "figure-second-bounce": 845, "figure-transform-2d": 830,
+    "figure-bayer-demosaic": 815, "figure-lens-aberrations": 815, "figure-spectrum-to-rgb": 815,
+    "figure-stability": 795,
+}  # fmt: skip
 OUTSIDE_HEADER = """() => [...document.querySelectorAll(".site-header *")]
   .filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > innerWidth + 1)
   .map((one) => one.className)"""
@@ -211,6 +228,7 @@ ON_DESKTOP = {
     1440: [
         *(*fits(1440), KEYBOARD, LABELS, TOUCHES),
         Rule(TOO_FAR, FIRST_FIGURE_IS_FAR, 2 * 900),
+        Rule("higher than the window", HIGH, [850, HIGHER_ON_A_DESK]),
         Rule("the place of a caption differs from the source", UNORDERED),
         Rule("a leading picture is small", SMALL_LEADS),
         Rule("has no name for a screen reader", UNNAMED),
@@ -223,6 +241,7 @@ ON_DESKTOP = {
 ON_PHONE = {
     390: [
         *(TOUCHES, Rule(TOO_FAR, FIRST_FIGURE_IS_FAR, 2 * 844)),
+        Rule("higher than the window", HIGH, [790, HIGHER_ON_A_PHONE]),
         Rule("a label is too small", SMALL_LABELS, 10.5),
         Rule("not on one screen: two panels, or one and the controls", OUTSIDE),
         Rule("too small for a finger", TOO_SMALL),
@@ -259,7 +278,7 @@ def faults_of_all_pages(
     wrong: list[str] = []
     for address in reader.open_each(pages(book)):
         for width, rules in rules_by_width.items():
-            reader.page.set_viewport_size({"width": width, "height": 900 if width > 600 else 800})
+            reader.page.set_viewport_size({"width": width, "height": 900 if width > 600 else 844})
             wrong += faults(reader, rules, f"{address or 'landing page'} at {width}")
     return wrong
 
