@@ -23,8 +23,11 @@ def main() -> None:
                     "one_pct": round(100 * one),
                     "two_pct": round(100 * two),
                     "unreported_pct": round(100 * unreported),
+                    "beyond_four_pct": round(100 * beyond, 1),
                 }
-                for number, (one, two, unreported) in shares(kind, world, CAMERAS, SIDE).items()
+                for number, (one, two, unreported, beyond) in shares(
+                    kind, world, CAMERAS, SIDE
+                ).items()
             }
             print(kind, world, found[slug(world)], flush=True)
         store_section(f"{kind}_coverage", found)
