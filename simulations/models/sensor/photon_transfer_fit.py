@@ -124,7 +124,7 @@ def black_of_dark(levels: Sequence[Level], stated_dn: float, highest_dn: float) 
     pair so near to it is taken for dark.
     """
     darkest = min(levels, key=lambda level: level.mean_dn, default=None)
-    if darkest is None or darkest.clipped > MOST_CLIPPED:
+    if darkest is None or _is_clipped_dark(darkest):
         return math.nan
     near = max(MOST_OFF_BLACK * (highest_dn - stated_dn), MOST_OFF_BLACK_DN)
     return darkest.mean_dn if abs(darkest.mean_dn - stated_dn) <= near else math.nan
@@ -328,7 +328,12 @@ def _why_no_gain(
 
 def _why_not_dark(levels: Sequence[Level]) -> str:
     darkest = min(levels, key=lambda level: level.mean_dn)
-    return CLIPPED_DARK if darkest.clipped > MOST_CLIPPED else NOT_DARK
+    return CLIPPED_DARK if _is_clipped_dark(darkest) else NOT_DARK
+
+
+def _is_clipped_dark(level: Level) -> bool:
+    """Also where the noise is less than a code, of which nothing lies below the most frequent."""
+    return level.clipped > MOST_CLIPPED or level.lowest > 0.5
 
 
 def _read_noise(line: Line, share: float) -> Estimate:

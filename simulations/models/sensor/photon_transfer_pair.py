@@ -56,6 +56,8 @@ class Level:
     row_dn2: float = 0.0
     """Part of the variance of noise that all pixels of a row share. Below 0 if there is none."""
     row_error_dn2: float = 0.0
+    lowest: float = 0.0
+    """Share of the pixels at the lowest code that occurs."""
     step: float = 1.0
     """Codes from one that occurs to the next: above 1 where a file leaves out codes."""
 
@@ -84,7 +86,7 @@ def measure_pair(
     apart = first.astype(float) - second
     noise_in_codes = float(apart.var(ddof=1)) / (2 * step**2)
     rows, columns = (_shared(difference, 2 * noise, axis) for axis in (1, 0))
-    shares = _correlations(difference, 2 * noise, rows, columns)
+    shares = _correlations(difference, 2 * noise)
     bands = [max(each, 0.0) / 2 for each in (rows, columns)]
     few = [band * math.sqrt(2 / side) for band, side in zip(bands, first.shape, strict=True)]
     return Level(
@@ -103,6 +105,7 @@ def measure_pair(
         pixels=first.size,
         row_dn2=rows / 2,
         row_error_dn2=(noise / first.shape[1] + bands[0]) * math.sqrt(2 / first.shape[0]),
+        lowest=float(np.mean(frames == frames.min())),
         step=step,
     )
 
@@ -145,15 +148,18 @@ def _terms(height: int, width: int) -> Floats:
     return np.stack([np.ones_like(x), x, y, x * x, x * y, y * y]).reshape(TREND_TERMS, -1)
 
 
-def _correlations(
-    difference: Floats, variance: float, rows: float, columns: float
-) -> dict[tuple[int, int], float]:
-    """Correlations of cells (down, across) apart, of `LAGS`; 0 for frames that do not differ."""
+def _correlations(difference: Floats, variance: float) -> dict[tuple[int, int], float]:
+    """Correlations of cells (down, across) apart, of `LAGS`; 0 for frames that do not differ.
+
+    The means of rows and columns, which are taken off, hold a part of each cell's own noise.
+    """
     found, (height, width) = {}, difference.shape
+    single = difference - difference.mean(axis=1, keepdims=True) - difference.mean(axis=0)
+    own = float(np.mean(single**2))
     for down, across in LAGS:
-        first = difference[down:, max(across, 0) : width + min(across, 0)]
-        second = difference[: height - down, max(-across, 0) : width - max(across, 0)]
-        shared = rows * (down == 0) + columns * (across == 0)
-        product = float((first * second).mean()) if first.size and variance else shared
-        found[down, across] = (product - shared) / (variance or 1.0)
+        first = single[down:, max(across, 0) : width + min(across, 0)]
+        second = single[: height - down, max(-across, 0) : width - max(across, 0)]
+        product = float((first * second).mean()) if first.size else 0.0
+        product += own * ((down == 0) / width + (across == 0) / height)
+        found[down, across] = product / (variance or 1.0)
     return found
