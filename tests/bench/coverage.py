@@ -23,7 +23,7 @@ def main() -> None:
                     "one_pct": round(100 * one),
                     "two_pct": round(100 * two),
                     "unreported_pct": round(100 * unreported),
-                    "beyond_four_pct": round(100 * beyond, 1),
+                    "beyond_four_pct": round(100 * float(beyond), 1),
                 }
                 for number, (one, two, unreported, beyond) in shares(
                     kind, world, CAMERAS, SIDE
