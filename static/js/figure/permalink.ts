@@ -9,6 +9,7 @@
  */
 
 import { isAction } from "../../../simulations/engine/controls/action/kind.ts";
+import { printable } from "../errors.ts";
 import { findAll, data, find } from "../page/dom.ts";
 import { changeHistory, isAddressCurrent } from "../page/navigate.ts";
 import { words } from "../page/words.ts";
@@ -153,7 +154,7 @@ function valuesInAddress(figure: HTMLElement, controls: Control[]) {
 function reportIgnored(figure: HTMLElement, ignored: string[]) {
   if (ignored.length === 0) return;
   const named = ignored.slice(0, MOST_NAMED).map((text) => {
-    return text.length > LONGEST_NAME ? `${text.slice(0, LONGEST_NAME)}…` : text;
+    return printable(text.length > LONGEST_NAME ? `${text.slice(0, LONGEST_NAME)}…` : text);
   });
   if (ignored.length > MOST_NAMED) named.push("…");
   showMessage(figure, words("figure.ignored", { settings: named.join(", ") }), { lasting: true });
