@@ -152,12 +152,27 @@ const FIRST_BLOCKS = 16;
  * @returns Puts it back; null where there is none.
  */
 function detachLowerBlocks(page: Document) {
-  const blocks = [...(page.querySelector("article.chapter")?.children ?? [])].slice(FIRST_BLOCKS);
+  const all = [...(page.querySelector("article.chapter")?.children ?? [])];
+  const blocks = all.slice(firstBlocks(all));
   const place = page.createComment("");
   if (blocks.length === 0) return null;
   blocks[0].before(place);
   for (const block of blocks) block.remove();
   return () => place.replaceWith(...blocks);
+}
+
+/** How many blocks come first: a figure finds its parts only where they come with it. */
+function firstBlocks(blocks: Element[]) {
+  let count = FIRST_BLOCKS;
+  for (const [index, block] of blocks.entries()) {
+    const leads = ({ dataset }: HTMLElement) => {
+      const leader = `#${CSS.escape(dataset.with ?? "")}`;
+      return blocks.slice(0, count).some((one) => one.matches(leader) || one.querySelector(leader));
+    };
+    const parts = findAll(block, "simulation-figure[data-with]", HTMLElement);
+    if (parts.some(leads)) count = Math.max(count, index + 1);
+  }
+  return count;
 }
 
 /** Longest wait for a first frame, in milliseconds. */
