@@ -184,6 +184,14 @@ def test_press_on_a_photograph_excludes_it() -> None:
     assert SCENE.pull(kept, "left-out", middle_of(0)) == {"without": 0}
 
 
+def test_choices_that_leave_nothing_determined_can_be_changed_back_in_the_figure() -> None:
+    two_of_three: dict[str, object] = {"without": 1, "detail": "sheet"}
+    for handle, choices in (("left-out", two_of_three), ("model", {"lens": "rational"})):
+        out = frame_from(readings(3), **choices)
+        assert texts_of(out)["focal"] == "not determined"
+        assert handle in [place.name for place in out.handles]
+
+
 ONE, TWO = {"make": "Maker", "model": "One"}, {"make": "Maker", "model": "Two"}
 HALF_TURN = {"orientation": 3.0}
 OTHERS = readings(3, size=(480, 640), first=50)

@@ -37,7 +37,15 @@ from simulations.scenes.calibration.results import (
     sheet,
 )
 from simulations.scenes.calibration.settings import DETAILS, LENSES, Settings
-from simulations.scenes.calibration.stages import LEVELS, STAGES, Errors, Result, Shown, Trials
+from simulations.scenes.calibration.stages import (
+    LEVELS,
+    STAGES,
+    SUPPORTED,
+    Errors,
+    Result,
+    Shown,
+    Trials,
+)
 
 UNKNOWN = "not determined"
 INSIDE = 12.0  # least distance of the handle of the dividing line from the right border
@@ -53,9 +61,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     given: Boards = outputs["boards"]
     trials: Trials = outputs["trials"]
     result: Result | None = outputs["result"]
-    grown = detail = drawing.in_words(". ".join((trials.problem or OPEN, *given.notes)))
-    if result:
-        detail = _detail(settings, outputs, result)
+    words = drawing.in_words(". ".join((trials.problem or OPEN, *given.notes)))
+    grown, detail = words, _detail(settings, outputs) or words
     if result and result.grown:
         focal, truth = focal_words(result), true_focal(given)
         grown = drawing.growth(result.grown, settings.photographs, truth, focal)
@@ -72,13 +79,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
 
 
-def _detail(settings: Settings, outputs: Outputs, result: Result) -> str:
-    """The last panel."""
+def _detail(settings: Settings, outputs: Outputs) -> str:
+    """The last panel; empty if the photographs do not determine what it shows."""
     trials: Trials = outputs["trials"]
+    result: Result | None = outputs["result"]
     if settings.detail == "models":
-        return drawing.model_errors(trials.found, result.supported)
+        best = trials.of(SUPPORTED)
+        return drawing.model_errors(trials.found, best) if best else ""
     if settings.detail == "board":
-        return board_drawing(result.board, trials.tried, settings.side)
+        return board_drawing(result.board, trials.tried, settings.side) if result else ""
     given: Boards = outputs["boards"]
     used = [is_used(index, settings, trials) for index in range(len(given.views))]
     return contact_sheet(given, outputs["each"], used, settings.without, outputs["looked"].index)
@@ -201,11 +210,14 @@ def line_at(settings: Settings, outputs: Outputs) -> Point | None:
 
 
 def model_at(settings: Settings, outputs: Outputs) -> Point | None:
-    result: Result | None = outputs["result"]
-    if result is None or settings.detail != "models":
+    """On the axis for a model without errors: those with errors can still be reached."""
+    trials: Trials = outputs["trials"]
+    if not trials.found or settings.detail != "models":
         return None
-    plot = drawing.error_plot(outputs["trials"].found)
-    return plot.clamped(drawing.place_of(result.trial.lens), result.trial.left_out_px)
+    plot, trial = drawing.error_plot(trials.found), trials.of(settings.lens)
+    if trial is None:
+        return plot.clamped(drawing.place_of(settings.lens), plot.y.low)
+    return plot.clamped(drawing.place_of(trial.lens), trial.left_out_px)
 
 
 def model_pulled(_settings: Settings, place: Point) -> dict[str, str]:

@@ -241,10 +241,10 @@ def _posed(view: Views, trial: Trial) -> Adjusted | None:
 def _photograph_errors(given: Boards, result: Result | None, detail: str) -> Floats | None:
     """(P,) the error of every photograph, used or not, with the pose that fits it best; NaN if
     there is none."""
-    if result is None or detail != SHEET:
+    if detail != SHEET:
         return None
     views = [given.views.take([index]) for index in range(len(given.views))]
-    fits = [(view, _posed(view, result.trial)) for view in views]
+    fits = [(view, _posed(view, result.trial) if result else None) for view in views]
     return np.array([rms_of_each(view, fit)[0] if fit else np.nan for view, fit in fits])
 
 
