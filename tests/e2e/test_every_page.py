@@ -35,7 +35,7 @@ SCROLLED = """() => [...document.querySelectorAll("main *:not(pre, textarea, .ot
   .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
   .filter((one) => one.scrollWidth > one.clientWidth + 1)
   .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
-SMALL_LEADS = """() => [...document.querySelectorAll(".panels.led > .panel")]
+SMALL_LEADS = """() => [...document.querySelectorAll("figure:not(.small) .panels.led > .panel")]
   .filter((one) => one.querySelector("img, canvas") && one.clientWidth < 480)
   .map((one) => one.dataset.panel)"""
 OUT_OF_REACH = """async () => {
@@ -65,7 +65,7 @@ CROWDED = """(more) => [...document.querySelectorAll("simulation-figure")].flatM
 MORE_IN_SIGHT = {
     "figure-camera": (4, 1), "figure-camera-pose": (1, 3),
     "figure-jpeg": (3, 2), "figure-single-view": (3, 3), "figure-chequerboard": (2, 2),
-    "figure-your-lens": (3, 2), "figure-your-edge": (3, 3), "figure-your-noise": (1, 3),
+    "figure-your-lens": (3, 3), "figure-your-edge": (3, 3), "figure-your-noise": (1, 3),
 }  # fmt: skip
 """Controls and numbers of figures whose subject is how they act together, and of instruments."""
 SMALL_LABELS = """(least) => [...document.querySelectorAll(

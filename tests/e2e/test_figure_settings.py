@@ -350,7 +350,9 @@ def test_words_readouts_and_controls_are_highlighted_together(
     with step("a word highlights the control that drives it"):
         plain_reader.turn_to("lighting-and-reflectance/", live=False)
         driven = plain_reader.figure("phong").locator(".control.driven")
-        page.locator(":is(figcaption, .figure-caption) .role-light").first.hover()
+        about = page.locator("#figure-phong .about")
+        about.evaluate("one => { one.open = true; }")
+        about.locator(".role-light").first.hover()
         expect(driven.locator("[name=light_angle]")).to_have_count(1)
         page.mouse.move(0, 0)
         expect(driven).to_have_count(0)
