@@ -186,7 +186,7 @@ HIGHER_ON_A_DESK = {
     "figure-your-noise": 955,
 }  # fmt: skip
 HIGHER_ON_A_PHONE = {
-    "figure-your-edge": 1275, "figure-your-lens": 1340, "figure-single-view": 1240,
+    "figure-your-edge": 1275, "figure-your-lens": 1440, "figure-single-view": 1240,
     "figure-your-noise": 1080, "figure-second-bounce": 845, "figure-transform-2d": 830,
     "figure-bayer-demosaic": 815, "figure-lens-aberrations": 815, "figure-spectrum-to-rgb": 815,
     "figure-stability": 795,
