@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
 from simulations.engine.frame import Frame, Panel, format_number, readout
@@ -12,12 +13,16 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
-from simulations.models.geometry.transforms import apply_homography, clip_half_plane, translation
+from simulations.models.geometry.transforms import apply_homography, clip_half_plane
 from simulations.scenes._mapped_square import family, plane
 
-SHIFT = np.array([60.0, 81.25])
-"""Of the plane before the map in its own panel, so that the line comes into view early."""
+TABLE = np.array([(1.35, 0.45, 72.0), (0.0, 0.62, 24.0), (0.0, 0.0, 1.0)])
+"""The plane before the map as a table seen at a slant, in the plane of its own panel."""
+RISE = 30.0  # of the sheet over the table, for w = 1
+SHEET = np.array([(-48.0, -145.0), (48.0, -145.0), (48.0, 46.0), (-48.0, 46.0)])
+"""Ground plan of the sheet."""
 CORNERS = np.array([(0, 0), (plane.WIDTH, 0), (plane.WIDTH, plane.HEIGHT), (0, plane.HEIGHT)])
+LABEL = 106.0  # least column at which the label of P ends
 HANDLE_X = 75.0  # of the handle on the line w = 0
 
 
@@ -42,27 +47,38 @@ def w_at(settings: Settings) -> float:
     return float(matrix(settings)[2] @ [*point_of(settings), 1.0])
 
 
+def at_height(points: ArrayLike, heights: ArrayLike) -> Floats:
+    """View box places (n, 2) of points (n, 2) of the table, so high above it."""
+    places = apply_homography(TABLE, points)[0]
+    return plane.to_view(places + np.multiply.outer(heights, (0.0, RISE)))
+
+
 def divisor_overlay(settings: Settings) -> str:
-    """The plane before the map, with the lines of equal w and the side that is past infinity."""
-    H, point = matrix(settings), point_of(settings)
-    w = H[2] @ translation(*-SHIFT)
-    past = clip_half_plane(plane.from_view(CORNERS), -w)
-    spot = plane.to_view(point + SHIFT)
-    near = spot[0] < plane.WIDTH - 90.0
-    beside = spot + np.array([plane.CLEAR if near else -plane.CLEAR, 4.0])
-    words = f"P: w = {format_number(w_at(settings), 2)}"
+    """The card on a table under a sheet whose height is w, and the side that is past infinity."""
+    row, point, w = matrix(settings)[2], point_of(settings), w_at(settings)
+    past = clip_half_plane(plane.from_view(CORNERS), -row @ np.linalg.inv(TABLE))
+    sheet = clip_half_plane(SHEET, row)
+    corners = np.vstack([family.SQUARE, point])
+    feet, tops = at_height(corners, np.zeros(5)), at_height(corners, heights(row, corners))
+    foot, top = feet[-1], tops[-1]
+    below = max(foot[0] - 8.0, LABEL), foot[1] + 18.0
     return "".join(
         (
-            plane.original(*SHIFT.tolist()),
+            plane.figure(TABLE, "world"),
             drawing.polygon(plane.to_view(past), "error fill faint") if len(past) > 2 else "",
-            *(
-                plane.labelled_line(w - (0.0, 0.0, level), f"w = {level:g}", role, "start")
-                for level, role in ((1.0, "muted"), (0.5, "muted"), (0.0, "error"))
-            ),
-            drawing.dot(spot, "world", 4.5),
-            drawing.text(beside, words, "world small ground", "start" if near else "end"),
+            plane.labelled_line(row @ np.linalg.inv(TABLE), "w = 0", "error", "start"),
+            drawing.path(np.stack([feet, tops], axis=1), "ray thin"),
+            drawing.polygon(at_height(sheet, heights(row, sheet)), "ray fill"),
+            drawing.line(foot, top, "ray bold"),
+            drawing.dot(foot, "world", 4.5),
+            drawing.text(below, f"P: w = {format_number(w, 2)}", "ray small ground", "end"),
         )
     )
+
+
+def heights(row: Floats, points: Floats) -> Floats:
+    """The third coordinates (n,) of the images of points (n, 2), for the last row of the matrix."""
+    return points @ row[:2] + row[2]
 
 
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
@@ -81,7 +97,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         else f"has {format_number(area, 2)} times its area"
     )
     panel_size = plane.WIDTH, plane.HEIGHT
-    drawn, title = "".join(square), "Before: what each place is divided by"
+    drawn, title = "".join(square), "Before: the map divides by the height w"
     return Frame(
         (
             Panel("plane", "The card and its image", *panel_size, overlay=drawn, lead=True),
@@ -100,7 +116,7 @@ def line_at(settings: Settings, _outputs: Outputs) -> Point | None:
     """The place of the line w = 0 at `HANDLE_X`, or the border before it comes into view."""
     a, b, c = matrix(settings)[2]
     y = -(a * HANDLE_X + c) / b if b else -math.inf
-    x, row = plane.to_view(np.array([HANDLE_X, max(y, -1e3)]) + SHIFT).tolist()
+    x, row = at_height([(HANDLE_X, max(y, -170.0))], (0.0,))[0].tolist()
     return x, min(row, plane.HEIGHT - 8.0)
 
 
