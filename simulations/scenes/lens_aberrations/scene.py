@@ -33,6 +33,8 @@ LENS_MM, SENSOR_MM = 25.0, 26.0  # half heights as drawn
 BLADE_MM, TUBE_MM = 17.5, 14.0  # outer ends of the stop and of the rim, with their marks
 BESIDE_LENS = 28.0  # least distance of the name of the stop from the lens, in view box units
 SUBJECTS = {"twigs": "Twigs against the sky", "chart": "A test chart"}
+CLOSE_PX = stages.WIDTH_PX - stages.CLOSE_LEFT, stages.HEIGHT_PX - stages.CLOSE_TOP
+LOUPE_PX, TIMES = (36, 24), 3  # upper left corner of the loupe, and how much it enlarges
 SPREAD = 5.0  # exaggeration of the dispersion, which would be too small to see
 
 
@@ -186,19 +188,11 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     shifts = CORNER_PX * (stages.scales(settings.glass, settings.stop, lines) - 1.0)
     cos4, open_share = stages.light(np.ones(1), settings.aperture, settings.rim, settings.natural)
     natural, cut = float(cos4[0]), float(open_share[0])
-    close = np.ascontiguousarray(picture[stages.CLOSE_TOP :, stages.CLOSE_LEFT :])
-    corner = (
-        stages.CLOSE_LEFT / stages.WIDTH_PX * WIDTH,
-        stages.CLOSE_TOP / stages.HEIGHT_PX * HEIGHT,
-    )
-    size, rest = (WIDTH, HEIGHT), (WIDTH - corner[0] - 1, HEIGHT - corner[1] - 1)
-    frame = cased(rectangle, corner, *rest, style="camera")
-    side, title = section(settings), "The corner of the picture, enlarged"
+    size, title = (WIDTH, HEIGHT), "The picture, its corner enlarged"
     return Frame(
         (
-            Panel("corner", title, *size, close, pixelated=True, lead=True),
-            Panel("lens", "That light from the side", *size, overlay=side),
-            Panel("picture", "The whole picture", *size, picture, frame),
+            Panel("picture", title, *size, with_loupe(picture), loupe_rims(), lead=True),
+            Panel("lens", "The light of that corner", *size, overlay=section(settings)),
         ),
         (
             readout("lateral", "Red to blue, corner", shifts[2] - shifts[0], "px", role="error"),
@@ -206,6 +200,28 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
             readout("corner_stops", "Corner in all", stops(natural * cut), "stops"),
         ),
         describe(settings, shifts[2] - shifts[0], discs, natural * cut, outputs["photograph"]),
+    )
+
+
+def with_loupe(picture: Raster) -> Raster:
+    """The picture with its corner enlarged over it."""
+    shown = picture.copy()
+    (left, top), (wide, high) = LOUPE_PX, CLOSE_PX
+    close = picture[-high:, -wide:].repeat(TIMES, axis=0).repeat(TIMES, axis=1)
+    shown[top : top + TIMES * high, left : left + TIMES * wide] = close
+    return shown
+
+
+def loupe_rims() -> str:
+    """The rims of the loupe and of the corner, and lines that join them."""
+    unit = WIDTH / stages.WIDTH_PX
+    (left, top), (wide, high) = (unit * np.array(pair) for pair in (LOUPE_PX, CLOSE_PX))
+    right, foot = left + TIMES * wide, top + TIMES * high
+    joints = [[(right, top), (WIDTH, HEIGHT - high)], [(left, foot), (WIDTH - wide, HEIGHT)]]
+    return (
+        cased(path, joints, style="camera thin")
+        + cased(rectangle, (WIDTH - wide, HEIGHT - high), wide - 1, high - 1, style="camera")
+        + cased(rectangle, (left, top), right - left, foot - top, style="camera bold")
     )
 
 
