@@ -1,16 +1,19 @@
 """The panels of a real lens: the lens cut along its axis, to one scale, with the rays through it;
-the rays close to the image; and where each crosses the axis. The last two show the same part of
-the axis, with the same columns."""
+the spot that they make on a sheet at the image; and where each crosses the axis."""
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
-from simulations.engine.drawing import dot, line, path, polygon, polyline, text
+from simulations.engine.drawing import cased, dot, line, path, polygon, polyline, text
+from simulations.engine.frame import Raster
 from simulations.engine.plotting import Axis, Plot, Scale
+from simulations.engine.raster import of_planes
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb_codes
 from simulations.models.lens import singlet
 from simulations.models.lens.singlet import Rays, sag_mm
 
@@ -29,7 +32,10 @@ STOPPED = "stopped by the opening"
 
 LEFT, RIGHT, TOP, FLOOR = 40.0, 388.0, 26.0, 240.0
 BEFORE_MM, BEHIND_MM = 20.0, 9.0  # of the axis, on either side of the thick lens's image
-ASIDE = Axis(-3.0, 3.0, FLOOR, TOP)  # distances from the optical axis in the second panel, mm
+SPOT_PER_MM = 60.0  # view box units, of the sheet in the second panel
+RINGS = 4_000  # of the opening, whose light is counted on the sheet
+BRIGHT = 250.0
+"""Light on the sheet that is shown at 63 % of white, as a multiple of that in the opening."""
 HEIGHTS = Axis(0.0, 20.0, FLOOR, TOP)  # of rays in the third panel, mm
 HEIGHTS_MM = np.linspace(0.25, 20.0, 80)  # of the curve of aberration
 ALONG = Scale("mm behind the lens’s middle", ticks=4, style="small", tick_style="muted small")
@@ -263,18 +269,43 @@ def opening_mark(opening: float) -> tuple[float, float]:
     return RIGHT - 10.0, HEIGHTS.place(opening)
 
 
-def close(glass: Glass, fan: Rays, marked: Rays | None) -> str:
-    """The rays around the image; heights are drawn larger than lengths. ``marked`` is None if that
-    ray is stopped."""
-    plot = plot_of(glass, ASIDE)
-    parts = [
-        *plot_frame(glass, plot, "mm from the axis", (-2, 2) if glass.real else ()),
-        plot.level(0.0),
-    ]
-    if glass.real:
-        parts += [behind_lens(glass, plot, fan, "light thin"), *model_images(glass, plot)]
-    if glass.real and marked:
-        parts += [behind_lens(glass, plot, marked, "ray bold"), *crossing(plot, marked, 0.0)]
+def spot(glass: Glass, rays: Rays, heights: Floats) -> Raster:
+    """The light of rays at evenly spaced heights, all round the axis, on a sheet at the image."""
+    away = from_middle()
+    edges = np.arange(away.max() + 2.0)
+    landing = SPOT_PER_MM * np.abs(at_image(glass, rays))
+    seen = landing < edges[-1]  # not of NaN
+    light, _ = np.histogram(landing[seen], edges, weights=heights[seen])
+    light *= 2.0 * SPOT_PER_MM**2 * (heights[1] - heights[0])
+    shown = 1.0 - np.exp(-light / np.diff(edges**2) / BRIGHT)
+    return of_planes([encode_srgb_codes(np.interp(away, edges[:-1] + 0.5, shown))] * 3)
+
+
+@cache
+def from_middle() -> Floats:
+    """(H, W) distances of pixels two units wide from the middle of the second panel, in units."""
+    rows, columns = np.mgrid[1.0:HEIGHT:2.0, 1.0:WIDTH:2.0]
+    return np.hypot(columns - WIDTH / 2.0, rows - HEIGHT / 2.0)
+
+
+def at_image(glass: Glass, rays: Rays) -> Floats:
+    """(n,) mm above the axis where rays meet a sheet at the thick lens's image, or NaN."""
+    if not glass.real:
+        return np.full(len(rays.slope), math.nan)
+    return rays.back[:, 1] + rays.slope * (glass.paraxial_mm - rays.back[:, 0])
+
+
+def over_spot(glass: Glass, marked: Rays | None) -> str:
+    """The place of the marked ray, None if it is stopped, and a millimetre."""
+    x, y = WIDTH / 2.0, AXIS_Y
+    if not glass.real:
+        return text((x, y - 16.0), "no image behind this lens", "error ground", "middle")
+    foot = HEIGHT - 14.0
+    scale = cased(line, (14.0, foot), (14.0 + SPOT_PER_MM, foot), style="bold")
+    parts = [scale, text((22.0 + SPOT_PER_MM, foot + 4.0), "1 mm", "small ground")]
+    hit = y - SPOT_PER_MM * float(at_image(glass, marked)[0]) if marked else math.nan
+    if 0.0 < hit < HEIGHT:
+        parts.append(dot((x, hit), "ray", 3.5))
     return "".join(parts)
 
 
@@ -343,13 +374,3 @@ def crossing(plot: Plot, marked: Rays, height: float) -> Iterator[str]:
     along = crosses_within(plot, marked)
     if along is not None:
         yield dot(plot.at(along, height), "ray", 5)
-
-
-def behind_lens(glass: Glass, plot: Plot, rays: Rays, style: str) -> str:
-    """The part of each ray behind the lens, clipped to the second panel."""
-    behind = max(plot.x.low, glass.lens.thickness_mm / 2.0)
-    runs = []
-    for (x, y), slope in zip(rays.back.tolist(), rays.slope.tolist(), strict=True):
-        ends = np.array([max(behind, x), plot.x.high])
-        runs += plot.pieces(ends, y + slope * (ends - x))
-    return path(runs, style) if runs else ""

@@ -10,7 +10,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.accuracy import Accuracy, tiers
-from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Raster,
+    Readout,
+    format_magnitude,
+    format_number,
+    readout,
+)
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
@@ -69,6 +77,12 @@ def fan_rays(glass: Glass, opening: float, tier: str) -> singlet.Rays:
     return trace(tier, glass, drawing.fan_heights(opening))
 
 
+def spot_of(glass: Glass, opening: float, tier: str) -> Raster:
+    """The picture of the object on a sheet at the image."""
+    heights = opening * (np.arange(drawing.RINGS) + 0.5) / drawing.RINGS
+    return drawing.spot(glass, trace(tier, glass, heights), heights)
+
+
 def marked_ray(glass: Glass, height: float, tier: str) -> singlet.Rays:
     return trace(tier, glass, np.array([height]))
 
@@ -86,6 +100,7 @@ def crossings(glass: Glass) -> Floats:
 STAGES = (
     Stage("glass", glass_of),
     Stage("fan", fan_rays, ("glass",)),
+    Stage("spot", spot_of, ("glass",)),
     Stage("marked", marked_ray, ("glass",)),
     Stage("true", true_ray, ("glass",)),
     Stage("curve", crossings, ("glass",)),
@@ -113,13 +128,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     height, opening = settings.height, settings.opening
     passing = None if drawing.is_stopped(height, opening, marked) else marked
     side = drawing.from_side(glass, fan, marked, height, opening)
-    close = drawing.close(glass, fan, passing)
+    over = drawing.over_spot(glass, passing)
     crossing = drawing.aberration(glass, outputs["curve"], height, marked, opening)
     size = WIDTH, HEIGHT
     return Frame(
         (
             Panel("lens", "The lens from the side", *size, overlay=side, lead=True),
-            Panel("close", "Close to the image, heights enlarged", *size, overlay=close),
+            Panel(
+                "spot", "A star on a sheet at the thick lens’s image", *size, outputs["spot"], over
+            ),
             Panel("aberration", "Where rays cross the axis", *size, overlay=crossing),
         ),
         tuple(readouts(settings, glass, true)),
