@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine.accuracy import Accuracy, tiers
-from simulations.engine.drawing import circle, dot, line, path, text
+from simulations.engine.drawing import circle, dot, group, line, path, text
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.axis import Axis
@@ -33,11 +33,12 @@ from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
 from simulations.models.geometry.rotations import slerp
 from simulations.scenes._turned_camera import draw_body, nearest, view_from
 
-HEIGHT = 486.0  # of the panel with the sphere, which is 400 wide
-CENTRE, RADIUS = (200.0, 333.0), 126.0  # of the sphere
-CAMERAS = {"slerp": (68.0, 73.0), "euler": (200.0, 73.0), "matrix": (332.0, 73.0)}
-"""Places of the three cameras above it."""
-BODY = 76.0  # unit of length of their axes
+HEIGHT = 400.0  # of the panel with the sphere, which is as wide
+CENTRE, RADIUS = (200.0, 222.0), 160.0  # of the sphere
+NAMES = {"slerp": (12.0, "start"), "euler": (220.0, "middle"), "matrix": (388.0, "end")}
+"""Columns of the names of the three ways, above it."""
+BODY = 100.0  # unit of length of the cameras' axes
+FRONT = 0.82 * BODY / RADIUS  # of the lens, as a share of the way to the sphere
 SHARES = np.linspace(0.0, 1.0, 61)
 MARK_EVERY = 6
 """Steps between marks on the quaternions' path: even marks show a constant speed."""
@@ -58,7 +59,7 @@ type Path = Callable[[ArrayLike], Floats]
 @dataclass(frozen=True, slots=True)
 class Settings:
     blend: str = choice("Blend", LABELS)
-    t: float = slider("Progress s", 0.5, 0, 1, 0.01)
+    t: float = slider("Progress s", 0.5, 0, 1, 0.01, arrival=1.0)
     play: int = action("Play", "Pause", drives="t", effect="play", seconds=6.0)
     pan: float = slider("Pan ψ at the end", 120, -180, 180, 1, unit="°")
     tilt: float = slider("Tilt τ at the end", 60, -90, 90, 1, unit="°")
@@ -123,7 +124,8 @@ def view_of(azimuth: float, elevation: float) -> View:
 
 
 def sphere(settings: Settings, outputs: Outputs) -> str:
-    """The three cameras, and the traces of their lines of sight."""
+    """The camera on the chosen way, those on the others as ghosts, and the traces of their lines of
+    sight."""
     traces, view, chosen = outputs["traces"], outputs["view"], settings.blend
     blends = {name: curve(settings.t) for name, curve in outputs["paths"].items()}
     behind, front = (
@@ -137,11 +139,14 @@ def sphere(settings: Settings, outputs: Outputs) -> str:
         dot(view.place(blend[:, 2]), ROLES[name], 6.0 if name == chosen else 3.5)
         for name, blend in blends.items()
     ]
-    foot, end = view.place(np.stack([np.zeros(3), blends[chosen][:, 2]]))
+    lens, end = view.place(np.stack([FRONT * blends[chosen][:, 2], blends[chosen][:, 2]]))
+    ghosts = [draw_body(C, view.axes, CENTRE, BODY) for name, C in blends.items() if name != chosen]
     parts = (
         *_globe(view),
         *behind,
-        line(foot, end, f"{ROLES[chosen]} thin"),
+        *(group([ghost], "faint") for ghost in ghosts),
+        draw_body(blends[chosen], view.axes, CENTRE, BODY),
+        line(lens, end, f"{ROLES[chosen]} dashed"),
         *front,
         *(
             dot(place, ROLES["slerp"] + (" faint" if place[2] > 0 else ""), 3.4)
@@ -149,7 +154,7 @@ def sphere(settings: Settings, outputs: Outputs) -> str:
         ),
         *_ends(*traces["slerp"][[0, -1]]),
         *beads,
-        *_cameras(blends, view, chosen),
+        *_names(chosen),
     )
     return "".join(parts)
 
@@ -172,13 +177,13 @@ def _ends(start: Floats, end: Floats) -> Iterator[str]:
         yield text((point[0], row), label, "camera small ground", "middle")
 
 
-def _cameras(blends: Mapping[str, Floats], view: View, chosen: str) -> Iterator[str]:
-    """The camera on each of the three ways, side by side."""
-    for name, (x, y) in CAMERAS.items():
-        yield draw_body(blends[name], view.axes, (x, y), BODY)
-        yield line((x - 13, y + 82), (x + 13, y + 82), STYLES[name])
+def _names(chosen: str) -> Iterator[str]:
+    """The names of the three ways, with the style of their traces."""
+    for name, (x, anchor) in NAMES.items():
         weight = " strong" if name == chosen else ""
-        yield text((x, y + 101), LABELS[name], f"{ROLES[name]}{weight}", "middle")
+        yield text((x, 22.0), LABELS[name], f"{ROLES[name]}{weight}", anchor)
+        left = x - 26.0 * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
+        yield line((left, 32.0), (left + 26.0, 32.0), STYLES[name])
 
 
 def progress(settings: Settings, outputs: Outputs) -> str:
