@@ -5,8 +5,8 @@ world's axes are right, down and ahead, in metres.
 """
 
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -29,9 +29,9 @@ from simulations.models.projection.pinhole import (
     rigid_pose,
     world_to_camera,
 )
-from simulations.scenes._turned_camera import view_from
+from simulations.scenes._turned_camera import draw_body, view_from
 from simulations.world import plan
-from simulations.world.furniture import HIGH, ROOM
+from simulations.world.furniture import HIGH
 from simulations.world.room import LEVELS, photograph
 
 LAMP = np.array([2.0, -1.0, 5.0])  # 1 m above the camera
@@ -48,22 +48,19 @@ def in_axes(places: Floats) -> Floats:
 
 
 WALLS, DOOR = in_axes(plan.WALLS), in_axes(plan.DOOR)
-TABLE = in_axes(plan.footprint(next(item for item in ROOM if item.name == "table")))
 
-WIDTH, HEIGHT = 400.0, 350.0
-BORDERS = (0.0, 0.0), (WIDTH, HEIGHT)
-UNITS_PER_M = 20.0  # in both panels, so that equal lengths look equal
-MIDDLE, MIDDLE_M = (200.0, 175.0), (6.0, 0.0, 2.0)
+WIDTH, HEIGHT = 400.0, 310.0
+UNITS_PER_M, WORLD_UNITS = 19.0, 28.0
+"""In camera coordinates, where the whole room turns in its panel, and in world coordinates."""
+MIDDLE, MIDDLE_M = (200.0, 155.0), (6.0, 0.0, 2.0)
 """The world's place, metres, that stays in the middle of the first panel while it is turned. From
 above, right is right, and ahead is up."""
-CAMERA_ORIGIN = np.array([200.0, 242.0])
+CAMERA_ORIGIN = np.array([200.0, 214.0])
 """The camera in the second panel; it is moved where the room would not fit."""
+BORDERS = (0.0, 0.0), (WIDTH, HEIGHT)
 MARGIN = 4.0  # least distance of the room from the border of the second panel, in view box units
-CAMERA_OUTLINE = np.array(
-    [(-0.45, 0, -0.3), (-0.45, 0, 0.25), (-0.2, 0, 0.25), (-0.2, 0, 0.6), (0.2, 0, 0.6),
-     (0.2, 0, 0.25), (0.45, 0, 0.25), (0.45, 0, -0.3)]
-)  # fmt: skip
-"""Body and lens from above, in camera coordinates."""
+BODY = 1.5
+"""Size of the drawn camera: larger than true."""
 NAME_M = (1.0, 0.5)  # from an axis's name back from its tip, and aside from the axis
 BESIDE = 12.0  # from a label to the lamp, and to the middle of t, in view box units
 
@@ -124,18 +121,18 @@ def standpoint(pan: float, camera_x: float, camera_z: float) -> Standpoint:
 
 def space(azimuth: float, elevation: float) -> View:
     """The world in the first panel; at 0° from behind, so that right is right."""
-    return View(view_from(azimuth + 180.0, elevation), MIDDLE, UNITS_PER_M, MIDDLE_M)
+    return View(view_from(azimuth + 180.0, elevation), MIDDLE, WORLD_UNITS, MIDDLE_M)
 
 
 def camera_to_panel(here: Standpoint, look: View) -> ToPanel:
     """Points (..., 3) in camera coordinates in the second panel's view box (..., 2), which shows
     the whole room."""
-    to_view = replace(look, centre=(0.0, 0.0), target=(0.0, 0.0, 0.0))
+    to_view = View(look.axes, unit=UNITS_PER_M)
     room = to_view.all(here.in_camera_axes(WALLS))
     least = MARGIN - room.min(axis=0)
     most = np.array([WIDTH, HEIGHT]) - MARGIN - room.max(axis=0)
     x, y = np.clip(CAMERA_ORIGIN, least, most).tolist()
-    return replace(to_view, centre=(x, y)).all
+    return View(look.axes, (x, y), UNITS_PER_M).all
 
 
 def from_camera(here: Standpoint, look: View) -> ToPanel:
@@ -180,12 +177,12 @@ def world_panel(here: Standpoint, look: View) -> Panel:
         drawing.line(origin, centre, "muted thin dashed") if apart else "",
         _drop(look.all, here.centre, "camera thin dashed"),
         _axes(look.all, "world", ("X", "Y", "Z"), here),
-        drawing.polygon(to_view(CAMERA_OUTLINE), "camera fill"),
+        draw_body(here.rotation.T, look.axes, tuple(centre), BODY * WORLD_UNITS),
         _axes(to_view, "camera", ("x", "y", "z")),
-        *_handle_names(to_view),
         _lamp(look.all, -1.0),
     )
-    return Panel("world", "The room in world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
+    title = "The room in world coordinates"
+    return Panel("world", title, WIDTH, HEIGHT, overlay="".join(parts))
 
 
 def camera_panel(here: Standpoint, look: View) -> Panel:
@@ -204,7 +201,7 @@ def camera_panel(here: Standpoint, look: View) -> Panel:
         _axes(place, "world", ("X", "Y", "Z"), here),
         drawing.arrow(t[0], t[1], "ray bold", 9) if len(t) == 2 else "",
         _name(name, "t", "ray strong") if apart else "",
-        drawing.polygon(to_view(CAMERA_OUTLINE), "camera fill"),
+        draw_body(np.eye(3), look.axes, tuple(centre), BODY * UNITS_PER_M),
         _axes(to_view, "camera", ("x", "y", "z")),
         _lamp(place, aside[0] * to_lamp if apart else 1.0),
     )
@@ -213,12 +210,9 @@ def camera_panel(here: Standpoint, look: View) -> Panel:
 
 
 def _furniture(place: ToPanel, here: Standpoint) -> str:
-    """Floor, the part of it in the camera's field of view, walls, door and table, clipped to the
-    panel."""
-    items = plan.outlines(lambda corners: place(in_axes(corners)), *BORDERS)
-    middle = place(TABLE.mean(axis=0))
-    walls = np.stack([WALLS, np.roll(WALLS, -1, axis=0)], axis=1)
-    lines = [*((wall, "world thin") for wall in walls), (DOOR, "world bold")]
+    """Floor, the part of it in the camera's field of view, what stands on it, walls and door,
+    clipped to the panel."""
+    lines = (WALLS[[0, 1]], "world thin"), (DOOR, "world bold")
     return "".join(
         (
             *(
@@ -226,13 +220,12 @@ def _furniture(place: ToPanel, here: Standpoint) -> str:
                 for area, role in ((WALLS, "world"), (here.field, "camera"))
                 if len(floor := _clipped(place(area), closed=True))
             ),
+            plan.plan_markup(lambda corners: place(in_axes(corners)), *BORDERS),
             *(
                 drawing.line(ends[0], ends[1], style)
                 for points, style in lines
                 if len(ends := _clipped(place(points), closed=False)) == 2
             ),
-            *(drawing.polygon(item, "world thin fill") for item in items if len(item)),
-            _name(middle, "table", "world small"),
         )
     )
 
@@ -256,19 +249,6 @@ def _axes(
         at = place((AXIS_M - back) * axis - aside * other)
         parts.append(_name(at, name, f"{role} italic"))
     return "".join(parts) + drawing.dot(start, role, 3.5)
-
-
-def _handle_names(place: ToPanel) -> Iterator[str]:
-    """The effect of the two handles: behind the camera, and beyond the tip of its forward axis."""
-    centre, tip = place(np.zeros(3)), place(np.array([0.0, 0.0, AXIS_M]))
-    along = (tip - centre) / max(float(np.hypot(*(tip - centre))), 1.0)
-    for spot, side, words, across in (
-        (centre, -1.0, "camera", 38.0),
-        (tip, 1.0, "direction", 45.0),
-    ):
-        x, y = spot + side * along * (across, 24.0)
-        if 30.0 < x < WIDTH - 30.0:
-            yield drawing.text((x, y + 4.0), words, "camera small ground", "middle")
 
 
 def _lamp(place: ToPanel, side: float) -> str:
@@ -360,7 +340,7 @@ SCENE = Scene(
     handles=(
         Handle("camera", "world", "Camera", MOVES, on_axis(0.0), camera_pulled, role="camera"),
         Handle(
-            "tip", "world", "Forward axis", ("pan",), on_axis(AXIS_M), tip_pulled, role="camera"
+            "tip", "world", "Tip of axis z", ("pan",), on_axis(AXIS_M), tip_pulled, role="camera"
         ),
         turning("world"),
     ),

@@ -33,7 +33,7 @@ from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
 from simulations.models.geometry.rotations import slerp
 from simulations.scenes._turned_camera import draw_body, nearest, view_from
 
-HEIGHT = 400.0  # of the panel with the sphere, which is as wide
+HEIGHT = 412.0  # of the panel with the sphere, which is 400 wide
 CENTRE, RADIUS = (200.0, 222.0), 160.0  # of the sphere
 NAMES = {"slerp": (12.0, "start"), "euler": (220.0, "middle"), "matrix": (388.0, "end")}
 """Columns of the names of the three ways, above it."""

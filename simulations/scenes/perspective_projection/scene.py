@@ -242,16 +242,22 @@ def describe_missing(view: Projection) -> str:
     )
 
 
+def point_at(settings: Settings, _outputs: Outputs) -> Point:
+    view = view_of(settings)
+    return tuple(top_view.top_view_place(view, view.Z, view.X).tolist())
+
+
 def point_pulled(_settings: Settings, spot: Point) -> dict[str, float]:
-    Z, X = (np.asarray(spot, float) - top_view.AXIS) / [top_view.DEPTH_SCALE, top_view.SIDE_SCALE]
-    return {"depth": Z, "point_x": X}
+    depth = top_view.depth_at(spot[0])
+    return {"depth": depth, "point_x": (spot[1] - top_view.AXIS[1]) / top_view.scale_of(depth)}
 
 
 def plane_at(settings: Settings, _outputs: Outputs) -> Point | None:
     """The lower end of the image plane, if it is in the panel."""
-    depth = view_of(settings).camera.plane_m
-    end = top_view.top_view_place(depth, HALF_WIDTH_PX * METRES_PER_PX)
-    return None if depth < top_view.LEFT_M else tuple(end.tolist())
+    view = view_of(settings)
+    depth = view.camera.plane_m
+    end = top_view.top_view_place(view, depth, HALF_WIDTH_PX * METRES_PER_PX)
+    return None if depth < top_view.left_m(view) else tuple(end.tolist())
 
 
 def image_at(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -278,9 +284,7 @@ SCENE = Scene(
             "top",
             "Point",
             drives=("depth", "point_x"),
-            at=lambda settings, _: tuple(
-                top_view.top_view_place(settings.depth, settings.point_x).tolist()
-            ),
+            at=point_at,
             pull=point_pulled,
             role="world",
             reversed=("point_x",),

@@ -19,17 +19,35 @@ from simulations.world.plan import plan_markup
 WIDTH, HEIGHT = 400.0, 324.0
 FLOOR = 298.0  # lower edge of the drawing; the equation is below it
 DRAWN = (4.0, 4.0), (WIDTH - 4.0, FLOOR)
-AXIS = np.array([58.0, 142.0])
+AXIS = np.array([84.0, 142.0])
 """Centre of full perspective: depth to the right, X downwards."""
-DEPTH_SCALE, SIDE_SCALE = 16.0, 32.0
-"""View box units per metre of depth, and of X: stretched, so that the triangles open up."""
-LEFT_M = (8.0 - AXIS[0]) / DEPTH_SCALE  # depth of the panel's left edge
+LARGEST, SPREAD_M = 36.0, 5.0
+"""View box units per metre while the point is near, and how fast they become fewer beyond."""
+LAST_TICK = 296.0  # view box units from the centre
 LEAST_LEG = 20.0  # leg of a triangle, in view box units, from which it is named
 
 
-def top_view_place(Z: float, X: float) -> Floats:
+def scale_of(depth: float) -> float:
+    """View box units per metre: fewer for a far point, so that it stays in view."""
+    near = REFERENCE_DEPTH_M
+    return LARGEST * (near + SPREAD_M) / (max(depth, near) + SPREAD_M)
+
+
+def depth_at(column: float) -> float:
+    """The depth of a point that is seen in this column."""
+    along = (column - AXIS[0]) / LARGEST
+    near, whole = REFERENCE_DEPTH_M, REFERENCE_DEPTH_M + SPREAD_M
+    return along if along < near else SPREAD_M * along / max(whole - along, 1e-3)
+
+
+def top_view_place(view: Projection, Z: float, X: float) -> Floats:
     """Metres to the view box from above."""
-    return AXIS + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
+    return AXIS + scale_of(view.Z) * np.array([Z, X])
+
+
+def left_m(view: Projection) -> float:
+    """Depth of the panel's left edge."""
+    return (8.0 - float(AXIS[0])) / scale_of(view.Z)
 
 
 def moved(spot: Floats, right: float, down: float) -> Floats:
@@ -42,35 +60,37 @@ def panel(view: Projection) -> Panel:
     parts = (
         plan(view),
         depth_axis(view),
-        "" if view.full else reference_plane(),
+        "" if view.full else reference_plane(view),
         triangles(view) if view.full and view.visible else "",
         image_plane(view),
         ray(view) if view.visible else ray_without_image(view),
         centre(view),
-        drawing.dot(top_view_place(view.Z, view.X), "world", 5.5),
+        drawing.dot(top_view_place(view, view.Z, view.X), "world", 5.5),
         equation(view),
     )
-    title = "From above (X drawn stretched)"
-    return Panel("top", title, WIDTH, HEIGHT, overlay="".join(parts))
+    return Panel("top", "From above", WIDTH, HEIGHT, overlay="".join(parts))
 
 
 def depth_axis(view: Projection) -> str:
     """The optical axis, with its depths on the side away from the point."""
     row = -8.0 if view.X >= 0.0 else 17.0
     ticks = "".join(
-        drawing.line(top_view_place(Z, -0.08), top_view_place(Z, 0.08), "muted thin")
+        drawing.line(top_view_place(view, Z, -0.08), top_view_place(view, Z, 0.08), "muted thin")
         + drawing.text(
-            moved(top_view_place(Z, 0.0), 0.0, row), f"{Z} m", "muted small ground", "middle"
+            moved(top_view_place(view, Z, 0.0), 0.0, row), f"{Z} m", "muted small ground", "middle"
         )
         for Z in (5, 10, 20)
-        if view.full or Z != REFERENCE_DEPTH_M
+        if (view.full or Z != REFERENCE_DEPTH_M) and Z * scale_of(view.Z) < LAST_TICK
     )
     return drawing.arrow((8.0, AXIS[1]), (396.0, AXIS[1]), "muted thin") + ticks
 
 
-def reference_plane() -> str:
+def reference_plane(view: Projection) -> str:
     """The plane whose image is the same in perspective and in orthography."""
-    high, low = top_view_place(REFERENCE_DEPTH_M, -4.0), top_view_place(REFERENCE_DEPTH_M, 3.5)
+    high, low = (
+        top_view_place(view, REFERENCE_DEPTH_M, -4.0),
+        top_view_place(view, REFERENCE_DEPTH_M, 3.5),
+    )
     return drawing.line(high, low, "image dashed") + drawing.text(
         moved(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small ground"
     )
@@ -79,11 +99,11 @@ def reference_plane() -> str:
 def image_plane(view: Projection) -> str:
     """The plane at distance f in front of the centre, as wide as the picture."""
     half = HALF_WIDTH_PX * METRES_PER_PX
-    if view.camera.plane_m < LEFT_M:
+    if view.camera.plane_m < left_m(view):
         return ""
     left, right = (
-        top_view_place(view.camera.plane_m, -half),
-        top_view_place(view.camera.plane_m, half),
+        top_view_place(view, view.camera.plane_m, -half),
+        top_view_place(view, view.camera.plane_m, half),
     )
     spot = moved(left, 8.0, 10.0) if view.X >= 0.0 else moved(right, 18.0, 4.0)
     parts = [
@@ -106,7 +126,7 @@ def plan(view: Projection) -> str:
 
     def place(flat: Floats) -> Floats:
         points = world_to_camera(np.insert(flat, 2, 0.0, axis=1), room_axes(view))
-        return AXIS + points[:, [2, 0]] * (DEPTH_SCALE, SIDE_SCALE)
+        return AXIS + points[:, [2, 0]] * scale_of(view.Z)
 
     return plan_markup(place, *DRAWN)
 
@@ -127,17 +147,18 @@ def triangles(view: Projection) -> str:
     side = 1.0 if view.X >= 0.0 else -1.0
     parts = [
         drawing.polygon(
-            [AXIS, top_view_place(view.Z, 0.0), top_view_place(view.Z, view.X)], "ray thin fill"
+            [AXIS, top_view_place(view, view.Z, 0.0), top_view_place(view, view.Z, view.X)],
+            "ray thin fill",
         )
     ]
-    if SIDE_SCALE * abs(view.X) >= LEAST_LEG and DEPTH_SCALE * view.Z >= LEAST_LEG:
-        middle = moved(top_view_place(view.Z, 0.35 * view.X), -7.0, 4.0)
+    if scale_of(view.Z) * min(abs(view.X), view.Z) >= LEAST_LEG:
+        middle = moved(top_view_place(view, view.Z, 0.35 * view.X), -7.0, 4.0)
         parts.append(drawing.text(middle, "X", "world italic ground", "end"))
     if abs(view.x) <= HALF_WIDTH_PX:
         distance, across = view.camera.plane_m, view.x * METRES_PER_PX
-        hit = top_view_place(distance, across)
+        hit = top_view_place(view, distance, across)
         parts += [
-            drawing.line(top_view_place(distance, 0.0), hit, "image bold"),
+            drawing.line(top_view_place(view, distance, 0.0), hit, "image bold"),
             drawing.dot(hit, "image", 4.0),
             drawing.text(moved(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic ground", "end"),
         ]
@@ -146,25 +167,25 @@ def triangles(view: Projection) -> str:
 
 def on_ray(view: Projection, Z: float) -> Floats:
     """The place from above, at a depth, of the ray through the point."""
-    return top_view_place(Z, view.X * view.camera.size_at(view.Z) / view.camera.size_at(Z))
+    return top_view_place(view, Z, view.X * view.camera.size_at(view.Z) / view.camera.size_at(Z))
 
 
 def ray(view: Projection) -> str:
     """The ray through the point; before orthography, also where it and the ray of full perspective
     meet the reference plane."""
     reference = view.Z if view.full else REFERENCE_DEPTH_M
-    start = max(view.camera.centre_m, min(LEFT_M, view.Z))
+    start = max(view.camera.centre_m, min(left_m(view), view.Z))
     end = max(view.Z, view.camera.plane_m, reference)
     parts = [segment(on_ray(view, start), on_ray(view, end), "ray")]
     if view.full:
         return parts[0]
     if view.Z > 0.0:
         Z, X = max(reference, view.Z), view.X * reference / view.Z
-        parts.append(segment(AXIS, top_view_place(Z, X * Z / reference), "error thin dashed"))
+        parts.append(segment(AXIS, top_view_place(view, Z, X * Z / reference), "error thin dashed"))
         if abs(X) < 3.5:
-            parts.append(drawing.dot(top_view_place(reference, X), "error", 3.0))
+            parts.append(drawing.dot(top_view_place(view, reference, X), "error", 3.0))
     image = on_ray(view, reference)
-    if abs(image[1] - AXIS[1]) < 3.5 * SIDE_SCALE:
+    if abs(image[1] - AXIS[1]) < 3.5 * scale_of(view.Z):
         parts.append(drawing.dot(image, "image", 4.0))
     return "".join(parts)
 
@@ -173,11 +194,13 @@ def ray_without_image(view: Projection) -> str:
     """The line from the point through the centre, or along the plane of the centre."""
     away = view.Z - view.camera.centre_m
     if away == 0.0:
-        return segment(top_view_place(view.Z, 0.0), top_view_place(view.Z, view.X), "error dashed")
+        return segment(
+            top_view_place(view, view.Z, 0.0), top_view_place(view, view.Z, view.X), "error dashed"
+        )
     mirrored = view.X * (view.camera.plane_m - view.camera.centre_m) / away
     return segment(
-        top_view_place(view.Z, view.X),
-        top_view_place(view.camera.plane_m, mirrored),
+        top_view_place(view, view.Z, view.X),
+        top_view_place(view, view.camera.plane_m, mirrored),
         "error dashed",
     )
 
@@ -186,10 +209,10 @@ def centre(view: Projection) -> str:
     """The centre, or how far to the left it is."""
     if view.camera.parallel:
         words = "parallel rays: centre at infinity"
-    elif view.camera.centre_m < LEFT_M:
+    elif view.camera.centre_m < left_m(view):
         words = f"centre: {-view.camera.centre_m:.0f} m farther back"
     else:
-        spot = top_view_place(view.camera.centre_m, 0.0)
+        spot = top_view_place(view, view.camera.centre_m, 0.0)
         name = max(spot[0], 26.0), spot[1] + (20.0 if view.X < 0.0 else -11.0)
         return drawing.dot(spot, "camera", 5.0) + drawing.text(
             name, "centre", "camera small ground", "middle"
