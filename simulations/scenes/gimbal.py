@@ -53,6 +53,10 @@ LOST = 1e-6  # singular value below which a direction of rotation counts as lost
 SIGHT = WIDTH, HEIGHT = 400.0, 340.0  # of the picture
 MIDDLE = np.array([WIDTH / 2.0, HEIGHT / 2.0])
 FOCAL = 260.0  # in view box units: the picture is 75° wide
+FREEDOM_AT, FREEDOM, FREEDOM_FROM = (200.0, 154.0), 98.0, (72.0, 12.0)
+"""Middle of the ellipsoid of the turns, view box units for a degree per degree, and azimuth and
+elevation of the eye for a pan of 0."""
+RINGS, ROLES = ("pan", "tilt", "roll"), ("world", "light", "ray")
 NEAREST = 0.05
 """Cosine of the largest angle from the line of sight at which anything is drawn."""
 NAMES = ("ahead", "right", "behind", "left")
@@ -166,6 +170,38 @@ def draw_rings(view: View, pan: float, tilt: float, roll: float) -> str:
     if together > LOCKED:
         parts.append(drawing.text((386.0, 22.0), "pan and roll: one axis", "error strong", "end"))
     return "".join(parts)
+
+
+def draw_freedom(tilt: float) -> str:
+    """The turns that angles changing by a degree in all make together: an ellipsoid, with the turn
+    of each angle alone, and its shortest axis. It turns with the pan, and is seen nearly along the
+    tilt axis, from where it flattens to a line."""
+    J = rate_axes("YXZ", (0.0, math.radians(tilt), 0.0))
+    look = View(view_from(*FREEDOM_FROM), FREEDOM_AT, FREEDOM)
+    turns = np.linspace(0.0, 2 * math.pi, STEPS + 1)
+    flat = np.stack([np.cos(turns), np.sin(turns), 0 * turns])
+    circles = [look.place((J @ np.roll(flat, shift, axis=0)).T) for shift in range(3)]
+    across, lengths, _ = np.linalg.svd(look.axes[:2] @ J)
+    outline = FREEDOM_AT + FREEDOM * (across * lengths @ flat[:2]).T
+    directions, stretches, _ = np.linalg.svd(J)
+    worst = stretches[2] * directions[:, 2]
+    parts = [drawing.polygon(outline, "camera fill")]
+    for front, style in ((False, "camera thin faint"), (True, "camera thin")):
+        parts.append(drawing.path([p for c in circles for p in runs(c, front=front)], style))
+    for name, role, axis, anchor in zip(RINGS, ROLES, J.T, ("end", "middle", "start"), strict=True):
+        x, y = look.at(*axis)
+        aside = {"end": -8.0, "middle": 0.0, "start": 8.0}[anchor]
+        parts.append(drawing.arrow(look.at(0.0, 0.0, 0.0), (x, y), f"{role} bold"))
+        below = 18.0 if y > FREEDOM_AT[1] else -8.0
+        parts.append(drawing.text((x + aside, y + below), name, f"{role} ground", anchor))
+    words = f"{format_number(float(stretches[2]), 2)}° per degree, at worst"
+    return "".join(
+        (
+            *parts,
+            drawing.line(look.at(*-worst), look.at(*worst), "error bold"),
+            drawing.text((WIDTH / 2.0, HEIGHT - 10.0), words, "error", "middle"),
+        )
+    )
 
 
 def _axis(ring: Ring, view: View, *, front: bool) -> str:
@@ -328,6 +364,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
         (
             Panel("gimbal", title, 400.0, 400.0, overlay=rings, lead=True),
             Panel("sight", "What the camera sees", *SIGHT, outputs["sky"], outputs["sight"]),
+            Panel("freedom", "How far a degree turns it", *SIGHT, overlay=outputs["freedom"]),
         ),
         (
             matrix_readout("axes", "C, the camera’s axes as columns", C, role="camera"),
@@ -368,6 +405,7 @@ SCENE = Scene(
     (
         Stage("view", view_of),
         Stage("rings", draw_rings, ("view",)),
+        Stage("freedom", draw_freedom),
         Stage("sky", draw_sky),
         Stage("sight", draw_sight),
     ),

@@ -60,7 +60,7 @@ def test_image_obeys_object_centred_projection_on_the_drawn_ray(given: dict[str,
     (point,), (hit,) = dots(top, "world"), dots(top, "image")
     slope = (point[1] - hit[1]) / (point[0] - hit[0]) if point[0] != hit[0] else None
     for x, y in dots(top, "camera"):
-        assert x == pytest.approx(58 + 16 * (5 - 5 / share), abs=0.006)
+        assert x == pytest.approx(84 + 360 / (max(Z, 5) + 5) * (5 - 5 / share), abs=0.006)
         assert (hit[1] - y) / (hit[0] - x) == pytest.approx(slope, rel=2e-3)
     if share == 0:
         assert slope == 0

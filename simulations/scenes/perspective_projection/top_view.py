@@ -88,7 +88,7 @@ def depth_axis(view: Projection) -> str:
 def reference_plane(view: Projection) -> str:
     """The plane whose image is the same in perspective and in orthography."""
     high, low = (
-        top_view_place(view, REFERENCE_DEPTH_M, -4.0),
+        top_view_place(view, REFERENCE_DEPTH_M, -3.5),
         top_view_place(view, REFERENCE_DEPTH_M, 3.5),
     )
     return drawing.line(high, low, "image dashed") + drawing.text(
