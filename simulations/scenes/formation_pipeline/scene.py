@@ -52,7 +52,8 @@ AHEAD, DOWN = np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, -1.0])
 ORIGIN = np.array([2.0, WALL_DISTANCE - POINT_M[2], 1.5])
 """Of the chain's world axes in the room: right, down and ahead to the wall with the speck."""
 SPECK = ORIGIN + np.array([POINT_M[0], POINT_M[2], -POINT_M[1]])
-LENS_TO_PLANE, LENS_RADIUS_M = 0.7, 0.3  # metres; drawn larger than true
+LENS_TO_PLANE, LENS_RADIUS_M = 1.0, 0.32  # metres; drawn larger than true
+BODY = 0.6, 0.5, 0.15  # half width and height of the camera, and its depth behind the plane
 FIRST_LEG = 0.2  # share of the way to the lens at which the point is known in camera coordinates
 CELL, LIGHT, WELL, CODE = ((column, 242.0) for column in (50.0, 150.0, 250.0, 350.0))
 """Centres of the tiles below the room."""
@@ -118,7 +119,7 @@ def legs_of(distance_m: float) -> Legs:
         (start, first),
         (first, middle),
         (middle, hit),
-        (hit, (CELL[0], hit[1]), CELL),
+        (hit, CELL),
         (CELL, LIGHT),
         (LIGHT, WELL),
         (WELL, CODE),
@@ -152,6 +153,7 @@ def draw_path(journey: Journey, distance_m: float, station: float) -> str:
             paint(journey),
             *scenery(),
             *camera(lens_of(distance_m)),
+            enlargement(legs[2][-1]),
             drawing.path(legs, "muted thin dashed"),
             *arrows_between_tiles(),
             drawing.polyline(path, "ray bold") if len(path) > 1 else "",
@@ -167,6 +169,13 @@ def arrows_between_tiles() -> Iterator[str]:
     for start, end in pairwise((CELL, LIGHT, WELL, CODE)):
         middle, row = (start[0] + end[0]) / 2, start[1]
         yield drawing.arrow((middle - 6, row), (middle + 6, row), "muted thin", 9)
+
+
+def enlargement(cell: Point) -> str:
+    """Lines from the cell that is hit to the tile that shows it larger."""
+    half = SIDE / 2
+    corners = (cell, (CELL[0] - half, CELL[1] - half), (CELL[0] + half, CELL[1] + half))
+    return drawing.polygon(corners, "casing") + drawing.polygon(corners, "image thin fill")
 
 
 def axes_at(origin: Floats, length_m: float, role: str) -> Iterator[str]:
@@ -200,21 +209,34 @@ def scenery() -> Iterator[str]:
 
 
 def camera(lens: Floats) -> Iterator[str]:
-    """Lens, the camera's axes, ahead and down, and image plane."""
+    """The camera, cut open on the reader's side: lens, image plane, and axes ahead and down."""
+    wide, high, behind = BODY
     turns = np.linspace(0.0, 2 * math.pi, 32, endpoint=False)
     rim = [lens + LENS_RADIUS_M * np.array([math.cos(a), 0.0, math.sin(a)]) for a in turns]
+    back, far = -LENS_TO_PLANE - behind, -wide
+    sides = (
+        [(far, back, -high), (far, 0, -high), (far, 0, high), (far, back, high)],
+        [(far, back, -high), (wide, back, -high), (wide, back, high), (far, back, high)],
+        [(far, back, -high), (wide, back, -high), (wide, 0, -high), (far, 0, -high)],
+    )
+    for side in sides:
+        corners = places_in_view_box(*(lens + np.array(corner) for corner in side))
+        yield drawing.polygon(corners, "casing solid") + drawing.polygon(corners, "camera fill")
     corners = [(-0.42, -0.32), (0.42, -0.32), (0.42, 0.32), (-0.42, 0.32)]
     sheet = [lens + np.array([u, -LENS_TO_PLANE, v]) for u, v in corners]
-    yield drawing.polygon(places_in_view_box(*sheet), "image fill")
-    yield drawing.polygon(places_in_view_box(*rim), "camera fill")
+    yield drawing.polygon(places_in_view_box(*sheet), "casing solid")
+    yield drawing.polygon(places_in_view_box(*sheet), "image bold fill")
+    front = [lens + np.array([u, 0.0, v]) for u in (-wide, wide) for v in (-high, high)]
+    yield drawing.polygon(places_in_view_box(*(front[i] for i in (0, 1, 3, 2))), "camera fill")
+    yield drawing.polygon(places_in_view_box(*rim), "casing solid")
+    yield drawing.polygon(places_in_view_box(*rim), "camera bold fill")
     yield from axes_at(lens, 0.6, "camera")
-    (top, plane) = places_in_view_box(
-        lens - 0.42 * DOWN, lens - LENS_TO_PLANE * AHEAD - 0.44 * DOWN
-    )
-    yield drawing.text((top[0] + 4, top[1] - 4), "lens", "camera small ground")
-    yield drawing.text(
-        (max(plane[0] - 4, 82.0), plane[1] - 4), "image plane", "image small ground", "end"
-    )
+    above = lens - 1.2 * high * DOWN
+    front_top, plane_top = places_in_view_box(above, above - LENS_TO_PLANE * AHEAD)
+    left = max(plane_top[0] + 14.0, 82.0), plane_top[1] - 4.0
+    right = max(front_top[0] - 8.0, 94.0), front_top[1] - 4.0
+    yield drawing.text(left, "image plane", "image small ground", "end")
+    yield drawing.text(right, "lens", "camera small ground")
 
 
 def tiles(journey: Journey, station: int) -> Iterator[str]:
