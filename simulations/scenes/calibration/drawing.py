@@ -6,17 +6,20 @@ import math
 import numpy as np
 
 from simulations.engine.drafting import label
-from simulations.engine.drawing import circle, line, path, text
+from simulations.engine.drawing import circle, line, path, polygon, text
 from simulations.engine.frame import format_number
 from simulations.engine.letters import width_of
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
+from simulations.engine.space.view import View
 from simulations.models.arrays import Floats
-from simulations.models.calibration.camera import LENSES
+from simulations.models.calibration.camera import LENSES, Poses
 from simulations.models.calibration.left_out import Growth
 from simulations.models.calibration.model_choice import FISHEYE, Trial
+from simulations.models.calibration.views import Views
+from simulations.scenes._turned_camera import draw_body, view_from
 from simulations.scenes.calibration.boards import LEAST, MOST
 
 WIDTH, HEIGHT = 400.0, 300.0  # of the plots; a photograph is as wide
@@ -28,6 +31,9 @@ MARGIN = 10.0
 LINE_AT = 0.9
 """Place of the handle on the dividing line, as a share of the height from the top."""
 
+SIDEWAYS, AROUND, CAMERA = view_from(132.0, 20.0), 26.0, 40.0
+"""View of the boards in space, their least distance from the border, and size of the camera."""
+RIM = (0, 0), (1, 0), (1, 1), (0, 1)
 LEFT, RIGHT, TOP, FOOT = 46.0, 388.0, 40.0, 220.0
 TOP_GROWN, FOOT_GROWN = 84.0, 222.0
 NUMBER = (16.0, 34.0)  # place of the one large number
@@ -84,6 +90,29 @@ def enlarged(times: float, used: bool) -> str:
     if not used:
         words += ", photograph not used"
     return text((MARGIN, 20.0), words, "error small ground")
+
+
+def boards_in_space(views: Views, poses: Poses, shown: int) -> str:
+    """The boards where the fit finds them, before the camera; the one that is shown in squares."""
+    ends = views.board.min(axis=1) - 1.0, views.board.max(axis=1) + 1.0  # with the outer squares
+    rims = np.stack([[ends[i][:, 0], ends[j][:, 1]] for i, j in RIM])  # (4, 2, P)
+    boards = poses.place(np.moveaxis(rims, 2, 0))
+    seen = View(SIDEWAYS).all(np.concatenate([boards.reshape(-1, 3), np.zeros((1, 3))]))
+    low, high, size = seen.min(axis=0), seen.max(axis=0), np.array([WIDTH, HEIGHT])
+    unit = float(min((size - 2.0 * AROUND) / np.maximum(high - low, 1.0)))
+    x, y = (size / 2.0 - unit * (low + high) / 2.0).tolist()
+    look = View(SIDEWAYS, (x, y), unit)
+    parts = [polygon(look.all(board), "world thin fill") for board in boards]
+    if 0 <= shown < len(boards):
+        first, last = (end[shown].astype(int) for end in ends)
+        columns, rows = np.mgrid[first[0] : last[0], first[1] : last[1]].reshape(2, -1)
+        dark = np.stack([columns, rows], axis=-1)[(columns + rows) % 2 == 0]
+        squares = (dark[:, None] + RIM).reshape(1, -1, 2)
+        places = look.all(poses.take([shown]).place(squares)[0]).reshape(-1, 4, 2)
+        parts.append(polygon(look.all(boards[shown]), "casing solid"))
+        parts.append(polygon(look.all(boards[shown]), "image"))
+        parts += [polygon(square, "image solid") for square in places]
+    return "".join(parts) + draw_body(np.eye(3), SIDEWAYS, (x, y), CAMERA)
 
 
 def dividing_line(share: float, size: tuple[int, int]) -> str:

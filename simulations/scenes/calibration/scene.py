@@ -66,11 +66,16 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     if result and result.grown:
         focal, truth = focal_words(result), true_focal(given)
         grown = drawing.growth(result.grown, settings.photographs, truth, focal)
+    space = words
+    if result:
+        shown = -1 if settings.without else outputs["looked"].index
+        space = drawing.boards_in_space(trials.views, result.trial.fit.poses, shown)
     size, picture = (drawing.WIDTH, drawing.HEIGHT), drawing.view_box(given.size)
     raster, over, title = _raster(settings, outputs), _over(settings, outputs), "photograph"
     return Frame(
         (
             Panel(title, "A photograph of the board", *picture, raster, over, lead=True),
+            Panel("boards", "The boards before the camera", *size, overlay=space),
             Panel("growth", "Focal length", *size, overlay=grown),
             Panel("detail", DETAILS[settings.detail], *size, overlay=detail),
         ),

@@ -10,7 +10,17 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.engine.drawing import arrow, cased, circle, dot, line, path, rectangle, text
+from simulations.engine.drawing import (
+    arrow,
+    cased,
+    circle,
+    dot,
+    line,
+    path,
+    polygon,
+    rectangle,
+    text,
+)
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
@@ -31,6 +41,9 @@ past the fold."""
 INNER, OUTER = (0.6, 0.45), (0.72, -0.54)
 """The ideal points marked in the photograph, towards corners. While k₂ is 0, the inner one
 is always in view."""
+BEAM = (-0.56, -0.425), (0.62, -0.425)
+"""The ideal ends of the edge of a beam in the room."""
+RULER, TICKS = 15.0, 10.0  # width of the ruler, and distance of its marks
 BORDER = 15.0  # least distance of a handle from the border of the photograph, in view box units
 VISIBLE_RADIUS_UNITS = 238.0
 """Radius above which too little of a circle is visible in the corners for a label."""
@@ -132,6 +145,19 @@ def _shift_mark(ideal: tuple[float, float], name: str, lens: Distortion) -> str:
     row = min(max(y + (14.0 if ideal[1] > 0.0 else -5.0), 16.0), VIEW_HEIGHT - 8.0)
     label = text((x - 14.0, row), name, "image small strong ground", "end")
     return cased(line, *ends, style="image bold") + dot(ends[1], "image") + label
+
+
+def ruler(lens: Distortion) -> str:
+    """A ruler from end to end of a beam of the room; none for a beam past the fold."""
+    if math.hypot(*BEAM[1]) >= fold_radius(lens):
+        return ""
+    start, end = to_view(distort(np.array(BEAM), lens))
+    along = (end - start) / math.dist(start, end)
+    down = RULER * np.array([-along[1], along[0]])
+    at = start + np.arange(0.0, math.dist(start, end), TICKS)[:, None] * along
+    marks = np.stack([at, at + 0.4 * down], axis=1)
+    rim = (start, end, end + down, start + down)
+    return polygon(rim, "casing solid") + polygon(rim, "world") + path(marks, "world thin")
 
 
 def _limits(lens: Distortion, *, fold: bool, image: bool) -> str:

@@ -34,6 +34,7 @@ from simulations.scenes.lens_distortion.drawing import (
     grid_lines,
     handle_place,
     image_of,
+    ruler,
 )
 from simulations.scenes.lens_distortion.stages import (
     FOCAL_PX,
@@ -94,6 +95,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The photograph, the grid, and the curve that the coefficients describe."""
     lens, drawn, size = lens_of(settings), outputs["drawings"], (VIEW_WIDTH, VIEW_HEIGHT)
     over = drawn["corrected" if settings.correct else "picture"]
+    if settings.picture == "room" and not outputs["photograph"]:
+        over = ruler(Distortion() if settings.correct else lens) + over
     kind = classify(lens, HALF_DIAGONAL, INVISIBLE_PX / FOCAL_PX)
     bow, shift, fold = largest_bow_px(lens), corner_shift_px(lens), fold_radius(lens)
     return Frame(
