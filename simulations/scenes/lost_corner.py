@@ -97,7 +97,7 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
         else f"has {format_number(area, 2)} times its area"
     )
     panel_size = plane.WIDTH, plane.HEIGHT
-    drawn, title = "".join(square), "Before: the map divides by the height w"
+    drawn, title = "".join(square), "Before: divide by the height w"
     return Frame(
         (
             Panel("plane", "The card and its image", *panel_size, overlay=drawn, lead=True),

@@ -18,7 +18,7 @@ from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes._mapped_square import family, plane
 
 ROUNDING = 1e-9  # largest measured change, in radians or as a share, that counts as rounding
-WIDTH, HEIGHT = 400.0, 400.0  # of the panel of the families
+WIDTH, HEIGHT = 400.0, 330.0  # of the panel of the families
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,13 +86,13 @@ def frame_of(name: str) -> tuple[float, float, float, float]:
     """Left, top, right and bottom of a family's frame."""
     depth = len(RUNGS) - 1 - list(RUNGS).index(name)
     left = 8.0 + 14.0 * depth
-    return left, 8.0 + 64.0 * depth, WIDTH - left, HEIGHT - 8.0 - 12.0 * depth
+    return left, 6.0 + 52.0 * depth, WIDTH - left, HEIGHT - 6.0 - 10.0 * depth
 
 
 def family_handle_place(name: str) -> Point:
     """The handle of a family, below its degrees of freedom."""
     _, top, right, _ = frame_of(name)
-    return right - 32.0, top + 46.0
+    return right - 32.0, top + 37.0
 
 
 @cache
@@ -105,9 +105,9 @@ def hierarchy_panel(current: str) -> Panel:
         keeps, freedoms = f"also keeps {rung.preserves}", f"{rung.freedoms} DoF"
         parts += [
             drawing.rectangle((left, top), right - left, bottom - top, style),
-            drawing.text((left + 12.0, top + 25.0), rung.title, f"{role} strong"),
-            drawing.text((left + 12.0, top + 45.0), keeps, f"{role} small"),
-            drawing.text((right - 12.0, top + 25.0), freedoms, role, "end"),
+            drawing.text((left + 12.0, top + 20.0), rung.title, f"{role} strong"),
+            drawing.text((left + 12.0, top + 39.0), keeps, f"{role} small"),
+            drawing.text((right - 12.0, top + 20.0), freedoms, role, "end"),
         ]
     overlay = "".join(parts) + drawing.dot(family_handle_place(current), "image", 4.0)
     return Panel("hierarchy", "Each family contains the next", WIDTH, HEIGHT, overlay=overlay)
@@ -195,7 +195,7 @@ def corner_pulled(settings: Settings, place: Point) -> dict[str, float]:
 def family_pulled(_settings: Settings, place: Point) -> dict[str, str]:
     """The smallest family whose frame contains the place, the largest outside of all; places up to
     half way between two marks belong to the lower one."""
-    x, y = place[0], place[1] - 14.0
+    x, y = place[0], place[1] - 11.0
     for name in RUNGS:
         left, top, right, bottom = frame_of(name)
         if left <= x <= right and top <= y <= bottom:
