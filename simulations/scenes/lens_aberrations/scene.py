@@ -163,7 +163,7 @@ def stop_blades(settings: Settings) -> Iterator[str]:
     column = LENS_X - side * max(abs(UNITS_PER_MM * stop), BESIDE_LENS)
     yield text((column, AXIS_Y - 104), "stop", "ground", "middle")
     anchor = "end" if stop >= 0 else "start"
-    yield text((x - side * 14.0, y + 10.0), "opening", "ground", anchor)
+    yield text((x - side * 18.0, y + 10.0), "opening", "ground", anchor)
 
 
 def rim_edges(settings: Settings) -> Iterator[str]:
@@ -173,7 +173,7 @@ def rim_edges(settings: Settings) -> Iterator[str]:
         yield line(at(along, side * stages.RIM_MM), at(along, side * TUBE_MM), style)
     x, y = rim_mark(settings, {})
     yield dot((x, y), "camera")
-    yield text((x - 14, y + 4), "rim", "camera ground", "end")
+    yield text((x - 18, y + 4), "rim", "camera ground", "end")
 
 
 def stops(factor: float) -> float:
