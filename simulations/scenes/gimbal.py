@@ -164,7 +164,7 @@ def draw_rings(view: View, pan: float, tilt: float, roll: float) -> str:
         )
     parts += [mark for ring in three for mark in _angle(ring, view)]
     for row, ring in enumerate(three):
-        y, degrees = 22.0 + 18.0 * row, format_number(math.degrees(ring.angle_rad), 0)
+        y, degrees = 22.0 + 21.0 * row, format_number(math.degrees(ring.angle_rad), 0)
         parts.append(drawing.line((14.0, y - 4.5), (32.0, y - 4.5), f"{ring.role} bold"))
         parts.append(drawing.text((40.0, y), f"{ring.name} {degrees}°", f"{ring.role} ground"))
     if together > LOCKED:
