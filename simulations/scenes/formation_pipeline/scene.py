@@ -178,13 +178,6 @@ def enlargement(cell: Point) -> str:
     return drawing.polygon(corners, "casing") + drawing.polygon(corners, "image thin fill")
 
 
-def axes_at(origin: Floats, length_m: float, role: str) -> Iterator[str]:
-    """Arrows ahead and down."""
-    start, *tips = places_in_view_box(origin, origin + length_m * AHEAD, origin + length_m * DOWN)
-    for tip in tips:
-        yield drawing.arrow(start, tip, role, 6)
-
-
 def paint(journey: Journey) -> str:
     """The speck on the wall in its own grey, drawn five times as wide as it is."""
     turns = np.linspace(0.0, 2 * math.pi, 20, endpoint=False)
@@ -196,20 +189,17 @@ def paint(journey: Journey) -> str:
 
 
 def scenery() -> Iterator[str]:
-    """The lamp's direction, and the world's axes: ahead and down."""
+    """The lamp, and the direction of its light."""
     level = math.cos(LAMP_ELEVATION_RAD)
     towards = np.array(lamp_direction(math.degrees(math.acos(LAMP_COS / level))))
     lamp, tip = places_in_view_box(SPECK + 1.5 * towards, SPECK + 0.25 * towards)
     yield drawing.arrow(lamp, tip, "light bold")
     yield drawing.circle(lamp, 6, "light solid")
     yield drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small ground", "end")
-    yield from axes_at(ORIGIN, 0.6, "world")
-    (place,) = places_in_view_box(ORIGIN + 0.75 * DOWN)
-    yield drawing.text((place[0], place[1] + 10), "world", "world small ground", "middle")
 
 
 def camera(lens: Floats) -> Iterator[str]:
-    """The camera, cut open on the reader's side: lens, image plane, and axes ahead and down."""
+    """The camera, cut open on the reader's side: lens and image plane."""
     wide, high, behind = BODY
     turns = np.linspace(0.0, 2 * math.pi, 32, endpoint=False)
     rim = [lens + LENS_RADIUS_M * np.array([math.cos(a), 0.0, math.sin(a)]) for a in turns]
@@ -230,7 +220,6 @@ def camera(lens: Floats) -> Iterator[str]:
     yield drawing.polygon(places_in_view_box(*(front[i] for i in (0, 1, 3, 2))), "camera fill")
     yield drawing.polygon(places_in_view_box(*rim), "casing solid")
     yield drawing.polygon(places_in_view_box(*rim), "camera bold fill")
-    yield from axes_at(lens, 0.6, "camera")
     above = lens - 1.2 * high * DOWN
     front_top, plane_top = places_in_view_box(above, above - LENS_TO_PLANE * AHEAD)
     left = max(plane_top[0] + 14.0, 82.0), plane_top[1] - 4.0

@@ -10,17 +10,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.engine.drawing import (
-    arrow,
-    cased,
-    circle,
-    dot,
-    line,
-    path,
-    polygon,
-    rectangle,
-    text,
-)
+from simulations.engine.drawing import arrow, cased, circle, dot, line, path, rectangle, text
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
@@ -156,8 +146,8 @@ def ruler(lens: Distortion) -> str:
     down = RULER * np.array([-along[1], along[0]])
     at = start + np.arange(0.0, math.dist(start, end), TICKS)[:, None] * along
     marks = np.stack([at, at + 0.4 * down], axis=1)
-    rim = (start, end, end + down, start + down)
-    return polygon(rim, "casing solid") + polygon(rim, "world") + path(marks, "world thin")
+    rim = [(start, end, end + down, start + down, start)]
+    return path(rim, "casing solid") + path(rim, "world") + path(marks, "world thin")
 
 
 def _limits(lens: Distortion, *, fold: bool, image: bool) -> str:

@@ -244,7 +244,7 @@ def describe_missing(view: Projection) -> str:
 
 def point_at(settings: Settings, _outputs: Outputs) -> Point:
     view = view_of(settings)
-    return tuple(top_view.top_view_place(view, view.Z, view.X).tolist())
+    return tuple(top_view.above(view, view.Z, view.X).tolist())
 
 
 def point_pulled(_settings: Settings, spot: Point) -> dict[str, float]:
@@ -256,7 +256,7 @@ def plane_at(settings: Settings, _outputs: Outputs) -> Point | None:
     """The lower end of the image plane, if it is in the panel."""
     view = view_of(settings)
     depth = view.camera.plane_m
-    end = top_view.top_view_place(view, depth, HALF_WIDTH_PX * METRES_PER_PX)
+    end = top_view.above(view, depth, HALF_WIDTH_PX * METRES_PER_PX)
     return None if depth < top_view.left_m(view) else tuple(end.tolist())
 
 

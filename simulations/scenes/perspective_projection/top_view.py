@@ -40,7 +40,7 @@ def depth_at(column: float) -> float:
     return along if along < near else SPREAD_M * along / max(whole - along, 1e-3)
 
 
-def top_view_place(view: Projection, Z: float, X: float) -> Floats:
+def above(view: Projection, Z: float, X: float) -> Floats:
     """Metres to the view box from above."""
     return AXIS + scale_of(view.Z) * np.array([Z, X])
 
@@ -65,7 +65,7 @@ def panel(view: Projection) -> Panel:
         image_plane(view),
         ray(view) if view.visible else ray_without_image(view),
         centre(view),
-        drawing.dot(top_view_place(view, view.Z, view.X), "world", 5.5),
+        drawing.dot(above(view, view.Z, view.X), "world", 5.5),
         equation(view),
     )
     return Panel("top", "From above", WIDTH, HEIGHT, overlay="".join(parts))
@@ -75,9 +75,9 @@ def depth_axis(view: Projection) -> str:
     """The optical axis, with its depths on the side away from the point."""
     row = -8.0 if view.X >= 0.0 else 17.0
     ticks = "".join(
-        drawing.line(top_view_place(view, Z, -0.08), top_view_place(view, Z, 0.08), "muted thin")
+        drawing.line(above(view, Z, -0.08), above(view, Z, 0.08), "muted thin")
         + drawing.text(
-            moved(top_view_place(view, Z, 0.0), 0.0, row), f"{Z} m", "muted small ground", "middle"
+            moved(above(view, Z, 0.0), 0.0, row), f"{Z} m", "muted small ground", "middle"
         )
         for Z in (5, 10, 20)
         if (view.full or Z != REFERENCE_DEPTH_M) and Z * scale_of(view.Z) < LAST_TICK
@@ -87,10 +87,7 @@ def depth_axis(view: Projection) -> str:
 
 def reference_plane(view: Projection) -> str:
     """The plane whose image is the same in perspective and in orthography."""
-    high, low = (
-        top_view_place(view, REFERENCE_DEPTH_M, -3.5),
-        top_view_place(view, REFERENCE_DEPTH_M, 3.5),
-    )
+    high, low = above(view, REFERENCE_DEPTH_M, -3.5), above(view, REFERENCE_DEPTH_M, 3.5)
     return drawing.line(high, low, "image dashed") + drawing.text(
         moved(high, 6.0, 8.0), f"Z₀ = {REFERENCE_DEPTH_M:.0f} m", "image small ground"
     )
@@ -101,10 +98,7 @@ def image_plane(view: Projection) -> str:
     half = HALF_WIDTH_PX * METRES_PER_PX
     if view.camera.plane_m < left_m(view):
         return ""
-    left, right = (
-        top_view_place(view, view.camera.plane_m, -half),
-        top_view_place(view, view.camera.plane_m, half),
-    )
+    left, right = (above(view, view.camera.plane_m, side) for side in (-half, half))
     spot = moved(left, 8.0, 10.0) if view.X >= 0.0 else moved(right, 18.0, 4.0)
     parts = [
         drawing.line(left, right, "image bold"),
@@ -147,18 +141,18 @@ def triangles(view: Projection) -> str:
     side = 1.0 if view.X >= 0.0 else -1.0
     parts = [
         drawing.polygon(
-            [AXIS, top_view_place(view, view.Z, 0.0), top_view_place(view, view.Z, view.X)],
+            [AXIS, above(view, view.Z, 0.0), above(view, view.Z, view.X)],
             "ray thin fill",
         )
     ]
     if scale_of(view.Z) * min(abs(view.X), view.Z) >= LEAST_LEG:
-        middle = moved(top_view_place(view, view.Z, 0.35 * view.X), -7.0, 4.0)
+        middle = moved(above(view, view.Z, 0.35 * view.X), -7.0, 4.0)
         parts.append(drawing.text(middle, "X", "world italic ground", "end"))
     if abs(view.x) <= HALF_WIDTH_PX:
         distance, across = view.camera.plane_m, view.x * METRES_PER_PX
-        hit = top_view_place(view, distance, across)
+        hit = above(view, distance, across)
         parts += [
-            drawing.line(top_view_place(view, distance, 0.0), hit, "image bold"),
+            drawing.line(above(view, distance, 0.0), hit, "image bold"),
             drawing.dot(hit, "image", 4.0),
             drawing.text(moved(hit, -7.0, 4.0 + 6.0 * side), "x", "image italic ground", "end"),
         ]
@@ -167,7 +161,7 @@ def triangles(view: Projection) -> str:
 
 def on_ray(view: Projection, Z: float) -> Floats:
     """The place from above, at a depth, of the ray through the point."""
-    return top_view_place(view, Z, view.X * view.camera.size_at(view.Z) / view.camera.size_at(Z))
+    return above(view, Z, view.X * view.camera.size_at(view.Z) / view.camera.size_at(Z))
 
 
 def ray(view: Projection) -> str:
@@ -181,9 +175,9 @@ def ray(view: Projection) -> str:
         return parts[0]
     if view.Z > 0.0:
         Z, X = max(reference, view.Z), view.X * reference / view.Z
-        parts.append(segment(AXIS, top_view_place(view, Z, X * Z / reference), "error thin dashed"))
+        parts.append(segment(AXIS, above(view, Z, X * Z / reference), "error thin dashed"))
         if abs(X) < 3.5:
-            parts.append(drawing.dot(top_view_place(view, reference, X), "error", 3.0))
+            parts.append(drawing.dot(above(view, reference, X), "error", 3.0))
     image = on_ray(view, reference)
     if abs(image[1] - AXIS[1]) < 3.5 * scale_of(view.Z):
         parts.append(drawing.dot(image, "image", 4.0))
@@ -194,13 +188,11 @@ def ray_without_image(view: Projection) -> str:
     """The line from the point through the centre, or along the plane of the centre."""
     away = view.Z - view.camera.centre_m
     if away == 0.0:
-        return segment(
-            top_view_place(view, view.Z, 0.0), top_view_place(view, view.Z, view.X), "error dashed"
-        )
+        return segment(above(view, view.Z, 0.0), above(view, view.Z, view.X), "error dashed")
     mirrored = view.X * (view.camera.plane_m - view.camera.centre_m) / away
     return segment(
-        top_view_place(view, view.Z, view.X),
-        top_view_place(view, view.camera.plane_m, mirrored),
+        above(view, view.Z, view.X),
+        above(view, view.camera.plane_m, mirrored),
         "error dashed",
     )
 
@@ -212,7 +204,7 @@ def centre(view: Projection) -> str:
     elif view.camera.centre_m < left_m(view):
         words = f"centre: {-view.camera.centre_m:.0f} m farther back"
     else:
-        spot = top_view_place(view, view.camera.centre_m, 0.0)
+        spot = above(view, view.camera.centre_m, 0.0)
         name = max(spot[0], 26.0), spot[1] + (20.0 if view.X < 0.0 else -11.0)
         return drawing.dot(spot, "camera", 5.0) + drawing.text(
             name, "centre", "camera small ground", "middle"
