@@ -6,13 +6,15 @@ Sᵢ and gᵢ, and Σ gᵢ = 0 (`left_out`). With all others of the information 
 
     χ² = gᵢᵀ (Sᵢ⁻¹ + (S − Sᵢ)⁻¹) gᵢ / σ²
 
-away from theirs. If one is too far for noise, the photographs are parted in the two groups that
-agree best among themselves. J. MacQueen, *Some methods for classification*, 1967.
+away from theirs. If one is too far for noise, the photographs are parted in two groups, whose
+cameras are θ + δ and θ − δ. With the sign sᵢ of each, e = Σ sᵢ gᵢ and C = Σ sᵢ Sᵢ, the sum of
+squares falls by eᵀ (S − Cᵀ S⁻¹ C)⁻¹ e, in the space of δ; the largest fall is found by changing
+one sign at a time, from signs at random.
 """
 
 import numpy as np
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, Mask
 from simulations.models.calibration.bundle_adjustment import blocks_of, linearise, reduced
 from simulations.models.calibration.camera import PINHOLE
 from simulations.models.calibration.model_choice import Trial
@@ -21,12 +23,14 @@ from simulations.models.calibration.views import Views
 APART = 16.0
 """χ² for each of the three numbers from which a photograph is by another camera. Errors of corners
 that neighbours share reach 9 in photographs by one camera."""
-CLEAR = 0.25
+CLEAR = 0.15
 """Share of all differences that two groups may leave within them; in photographs that each have a
-focus of their own they leave a third."""
+focus of their own they leave a quarter."""
 OPEN = 1e-6
 """Share of a mean photograph's information that counts as none: one board tells two numbers."""
-ROUNDS = 10
+RIDGE = 1e-9
+"""Share of the information that keeps what photographs leave open from dividing by zero."""
+STARTS, ROUNDS = 30, 100
 
 
 def differing(views: Views, trial: Trial) -> tuple[int, ...]:
@@ -36,37 +40,50 @@ def differing(views: Views, trial: Trial) -> tuple[int, ...]:
     S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))
     by_own = np.zeros((len(free), 3))  # f as a share, c in px
     by_own[range(4), (0, 0, 1, 2)] = *fit.camera.values(PINHOLE[:2]), 1.0, 1.0
-    S, g = by_own.T @ S @ by_own, g @ by_own
-    every = S.sum(axis=0)
-    S = S + OPEN / len(S) * np.diag(np.diagonal(every))
-    own = -np.linalg.solve(S, g[..., None])[..., 0]
-    gains = -(g * own).sum(axis=-1)
-    others = np.linalg.solve(every - S, g[..., None])[..., 0]
+    own, share = by_own.T @ S @ by_own, g @ by_own
+    every = own.sum(axis=0)
+    own = own + OPEN / len(own) * np.diag(np.diagonal(every))
+    gains = (share * np.linalg.solve(own, share[..., None])[..., 0]).sum(axis=-1)
+    others = np.linalg.solve(every - own, share[..., None])[..., 0]
     spare = 2 * views.corners - len(free) - 9 * len(views)
     noise = (fit.cost - gains.sum()) / max(spare, 1)
-    apart = gains + (g * others).sum(axis=-1)
+    apart = gains + (share * others).sum(axis=-1)
     if len(views) < 4 or spare < 1 or apart.max() < 3.0 * APART * noise:
         return ()
-    lead, within = min((_parted(S, own, first) for first in own), key=lambda parted: parted[1])
-    if within > CLEAR * np.einsum("pi,pij,pj", own, S, own):
+    decentred = np.eye(len(free))[:, [name in ("p1", "p2") for name in free]]
+    is_first, gain, losses = _parted(S, g, np.hstack((by_own, decentred)))
+    if gain < (1.0 - CLEAR) * gains.sum():
         return tuple(range(len(views)))
-    smaller = lead if 2 * np.count_nonzero(lead > 0.0) <= len(lead) else -lead
-    return tuple(np.flatnonzero(smaller > 3.0 * APART * noise).tolist())
+    smaller = is_first if 2 * np.count_nonzero(is_first) <= len(views) else ~is_first
+    noise = (fit.cost - gain) / spare
+    return tuple(np.flatnonzero(smaller & (losses > 3.0 * APART * noise)).tolist())
 
 
-def _parted(S: Floats, own: Floats, first: Floats) -> tuple[Floats, float]:
-    """Two groups of estimates (P, 3) of the information (P, 3, 3), from one at ``first`` and one
-    at the common estimate: by how much (P,) each is nearer to the mean of the first, in squares,
-    and how far all are from the means of their groups."""
-    means: list[Floats] = [first, np.zeros(3)]
+def _parted(S: Floats, g: Floats, by_odd: Floats) -> tuple[Mask, float, Floats]:
+    """The two groups of photographs (P,) whose cameras differ most, in what ``by_odd`` (m, k) has
+    of the parameters; by how much the sum of squares falls with them, and by how much less (P,) if
+    one photograph is in the other group."""
+    every = S.sum(axis=0)
+    scale = 1.0 / np.sqrt(np.diagonal(every))
+    root = np.linalg.cholesky(every * scale * scale[:, None] + RIDGE * np.eye(len(every)))
+    across = np.linalg.solve(root, scale[:, None] * (S @ by_odd))  # Cᵀ S⁻¹ C is its square
+    share, odd = g @ by_odd, by_odd.T @ every @ by_odd
+
+    def gain(e: Floats, C: Floats) -> Floats:
+        left = odd - np.swapaxes(C, -1, -2) @ C
+        left = left + RIDGE * np.diag(np.diagonal(odd))
+        return np.asarray((e * np.linalg.solve(left, e[..., None])[..., 0]).sum(axis=-1))
+
+    signs = np.random.default_rng(0).choice((-1.0, 1.0), (STARTS, len(S)))
     for _ in range(ROUNDS):
-        off = [own - mean for mean in means]
-        far = np.array([np.einsum("pi,pij,pj->p", each, S, each) for each in off])
-        is_first = far[0] < far[1]
-        if is_first.all() or not is_first.any():
+        e, C = signs @ share, np.einsum("sp,pmk->smk", signs, across)
+        now = gain(e, C)
+        twice = 2.0 * signs[..., None]
+        then = gain(e[:, None] - twice * share, C[:, None] - twice[..., None] * across)
+        best = then.argmax(axis=1)
+        better = np.flatnonzero(then[range(STARTS), best] > now * (1.0 + RIDGE))
+        if not len(better):
             break
-        means = [
-            np.linalg.solve(S[group].sum(axis=0), np.einsum("pij,pj->i", S[group], own[group]))
-            for group in (is_first, ~is_first)
-        ]
-    return far[1] - far[0], float(far.min(axis=0).sum())
+        signs[better, best[better]] *= -1.0
+    first = int(now.argmax())
+    return signs[first] > 0.0, float(now[first]), now[first] - then[first]

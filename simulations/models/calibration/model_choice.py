@@ -13,11 +13,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from simulations.models.arrays import Floats
 from simulations.models.calibration.board_shape import SHAPES, corners_numbered_alike, flat_shape
-from simulations.models.calibration.bundle_adjustment import Adjusted, refine
+from simulations.models.calibration.bundle_adjustment import MOST_STEPS, Adjusted, refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
 from simulations.models.calibration.left_out import left_out_px
-from simulations.models.calibration.standard_errors import Uncertainty, rms_px, uncertainty
+from simulations.models.calibration.standard_errors import (
+    Uncertainty,
+    rms_of_each,
+    rms_px,
+    uncertainty,
+)
 from simulations.models.calibration.views import Views
 from simulations.models.calibration.zhang import (
     TILT,
@@ -32,7 +38,8 @@ ALIKE = 0.005
 preferred."""
 
 ENOUGH_STEPS = 25
-"""Steps that tell models apart: those that fit need ten, and those that do not creep on."""
+"""Steps that tell models apart: those that fit need ten, and those that do not creep on. The
+rational model takes up to `MOST_STEPS`, as its coefficients make up for each other."""
 RATIONAL, FISHEYE = "rational", "fisheye"
 WIDE = 1.5
 """Longer side of the picture in focal lengths from which on the rational model is tried."""
@@ -40,6 +47,9 @@ START_STEPS = 6
 """Steps that decide between the starts for a fisheye."""
 DRAFT_STEPS = 3
 """Steps to within a standard error, mostly a hundredth, from results for more photographs."""
+BEYOND_A_STEP = 2.0
+"""Error of a photograph that is left out, in those that the fit leaves, from which it is fitted
+anew without it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -177,10 +187,13 @@ def _determined(
 def fitted(views: Views, camera: Camera, poses: Poses, lens: str, draft: bool = False) -> Trial:
     """One model of the lens, fitted from a start; raises `UndeterminedError`."""
     free = PINHOLE + LENSES[lens] + poses.shape.names
-    fit = refine(views, camera, poses, free, DRAFT_STEPS if draft else ENOUGH_STEPS, draft)
+    most, left_out = ENOUGH_STEPS, left_out_px
+    if lens == RATIONAL:
+        most, left_out = MOST_STEPS, _left_out_anew
+    fit = refine(views, camera, poses, free, DRAFT_STEPS if draft else most, draft)
     counts = views.found.sum(axis=-1)
     try:
-        squares = float((counts * left_out_px(views, fit, free) ** 2).sum())
+        squares = float((counts * left_out(views, fit, free) ** 2).sum())
     except np.linalg.LinAlgError:
         squares = math.inf
     return Trial(
@@ -191,6 +204,22 @@ def fitted(views: Views, camera: Camera, poses: Poses, lens: str, draft: bool = 
         left_out_px=math.sqrt(squares / views.corners),
         aic=akaike(2 * views.corners, fit.cost, len(free) + 6 * len(views)),
     )
+
+
+def _left_out_anew(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Floats:
+    """`left_out_px`, by a new fit to the others where it is so large that one step may not lead to
+    their camera: the rational model's coefficients make up for each other."""
+    off = left_out_px(views, fit, free)
+    for index in np.flatnonzero(off > BEYOND_A_STEP * rms_of_each(views, fit)).tolist():
+        rest, one = [*range(index), *range(index + 1, len(views))], views.take([index])
+        with suppress(UndeterminedError):
+            others = refine(
+                views.take(rest), fit.camera, fit.poses.take(rest), free, ENOUGH_STEPS, draft=True
+            )
+            pose = replace(fit.poses.take([index]), shape=others.poses.shape)
+            alone = refine(one, others.camera, pose, (), ENOUGH_STEPS, draft=True)
+            off[index] = min(off[index], rms_px(one, alone))
+    return off
 
 
 def akaike(numbers: int, squares: float, parameters: int) -> float:
@@ -215,4 +244,5 @@ def as_chosen(trial: Trial, trials: tuple[Trial, ...]) -> Trial:
 
 def _simplest(trials: tuple[Trial, ...]) -> Trial:
     least = min(trial.left_out_px for trial in trials)
-    return next(trial for trial in trials if trial.left_out_px <= (1.0 + ALIKE) * least)
+    good = [trial for trial in trials if trial.left_out_px <= (1.0 + ALIKE) * least]
+    return min(good, key=lambda trial: trial.lens == RATIONAL)  # a fisheye has fewer coefficients

@@ -169,10 +169,10 @@ def _notes(
         yield f"They were taken by {' and '.join(cameras)}; calibrate each camera by itself."
 
 
-def listed(names: Sequence[str]) -> str:
-    """Names in a sentence, at most `NAMED` of them."""
-    rest = len(names) - NAMED
-    *first, last = names if rest <= 0 else (*names[:NAMED], f"{rest} more")
+def listed(names: Sequence[str], most: int = NAMED) -> str:
+    """Names in a sentence, and how many more than ``most`` there are."""
+    rest = len(names) - most
+    *first, last = names if rest <= 0 else (*names[:most], f"{rest} more")
     return f"{', '.join(first)} and {last}" if first else last
 
 

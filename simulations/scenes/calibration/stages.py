@@ -36,7 +36,7 @@ from simulations.models.calibration.zhang import (
 )
 from simulations.models.chequerboard.board_search import NoBoardError
 from simulations.models.chequerboard.find_board import find_board
-from simulations.scenes.calibration.boards import LEAST, Boards, boards, listed, rendered
+from simulations.scenes.calibration.boards import LEAST, MOST, Boards, boards, listed, rendered
 
 type Codes = NDArray[np.uint8]
 
@@ -187,7 +187,7 @@ def _mixed(names: list[str], views: Views) -> str:
     """A sentence on the photographs that differ, if there are any."""
     if not names:
         return ""
-    these = f"{listed(names)} differ{'s' * (len(names) == 1)} from the others"
+    these = f"{listed(names, MOST)} differ{'s' * (len(names) == 1)} from the others"
     every = "The photographs differ from each other"
     return MIXED.format(these=every if len(names) == len(views) else these)
 
