@@ -24,7 +24,7 @@ from simulations.engine.photograph import Codes, Mosaic, Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.reading import Reading
 from simulations.engine.stages import StageCache
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.pictures.checker_room import checker_room
 from simulations.registry import load_scene
 from simulations.scenes.calibration.boards import rendered
@@ -170,6 +170,11 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
         reader.settle(slanted.figure)
         per_px = slanted.readout("per_px").inner_text().split()[0]
         assert float(per_px) == pytest.approx(gaussian_half(1.0), rel=0.01)
+    with step("the data sheet names a raw photograph for which the camera was turned"):
+        cells = np.rint(64 + 4031 * decode_srgb(boards[2][::-1, ::-1, 0] / 255)).astype(np.uint16)
+        turned = write_files(tmp_path, {"turned.dng": dng(cells, black=BLACK[:1], orientation=3)})
+        calibration.give([*files[:2], *turned])
+        expect(page.locator(".data-sheet-parts")).to_contain_text("turned for turned.dng")
 
 
 def calibration_file(boards: Sequence[Codes]) -> dict[str, Any]:

@@ -24,9 +24,10 @@ def dng(
     *,
     black: Sequence[float] = (0.0,),
     exposure_s: float = 0.01,
+    orientation: int = 1,
 ) -> bytes:
     """The file of a mosaic (H, W) of 16 bits per cell, with a red cell at first; ``black`` is one
-    level, or one for each cell of a 2 × 2 quad."""
+    level, or one for each cell of a 2 × 2 quad; ``orientation`` as in EXIF."""
     height, width = mosaic.shape
     strip = mosaic.astype("<u2").tobytes()
     side = 1 if len(black) == 1 else 2
@@ -45,7 +46,7 @@ def dng(
         (262, SHORT, [32803]),  # cells of a mosaic
         (271, ASCII, "Example"),
         (272, ASCII, "Simulated sensor"),
-        (274, SHORT, [1]),
+        (274, SHORT, [orientation]),
         (277, SHORT, [1]),
         (278, LONG, [height]),
         (279, LONG, [len(strip)]),

@@ -48,7 +48,7 @@ QUICK_SCALE = 0.375
 SHEET = "sheet"  # the detail that shows all photographs
 MIXED = (
     "{these} in focal length or principal point: leave out what was taken with another zoom or "
-    "focus, with the camera turned, or mirrored."
+    "focus, with the camera turned, mirrored, or of a board that was bent otherwise."
 )
 SUPPORTED = "supported"  # the model of the lens that the photographs support
 

@@ -121,6 +121,9 @@ function required<T>(value: T | undefined, fault: Fault): T {
   return value;
 }
 
+/** Orientation by EXIF of what LibRaw makes upright by a `flip`. */
+const ORIENTATIONS: Record<number, number> = { 0: 1, 3: 3, 5: 8, 6: 6 };
+
 /** Facts of a photograph, as in `simulations/engine/photograph.py`. */
 function factsOf(about: Metadata) {
   const numbers = {
@@ -129,6 +132,7 @@ function factsOf(about: Metadata) {
     iso: about.iso_speed,
     focal_mm: about.focal_len,
     focal_35mm_mm: about.lens.FocalLengthIn35mmFormat,
+    orientation: ORIENTATIONS[about.flip],
     raw: 1,
   };
   const texts = { make: about.camera_make, model: about.camera_model, lens: about.lens.Lens };
