@@ -19,7 +19,7 @@ CHAPTER = "06-digital-sensor"
 
 
 def patches_burnt_out_at_iso_800() -> Phrases:
-    burnt = patch_means_e(0.0) > saturation_e(sensor_of(12, "800", 10))
+    burnt = patch_means_e(0.0) > saturation_e(sensor_of(12, 800, 10))
     assert burnt.sum() == 8
     yield "eight patches are burnt out"
 

@@ -37,7 +37,7 @@ def transfer(**given: object) -> Transfer:
 def test_two_frames_measure_the_gain_of_unequal_cells(unequal: float) -> None:
     even, measured = transfer(), transfer(unequal=unequal)
     assert measured.gain is not None
-    assert measured.gain.e_per_dn == pytest.approx(sensor_of(12, "100", 10).gain_e_per_dn, rel=0.06)
+    assert measured.gain.e_per_dn == pytest.approx(sensor_of(12, 100, 10).gain_e_per_dn, rel=0.06)
     inside = measured.fitted & even.fitted
     one, two, mean = (
         part[inside] for part in (measured.one_frame_dn2, measured.variance_dn, measured.mean_dn)
@@ -49,7 +49,7 @@ def test_two_frames_measure_the_gain_of_unequal_cells(unequal: float) -> None:
 @pytest.mark.parametrize("dark", [0, 2000])
 def test_variance_is_the_sum_of_shot_read_dark_and_rounding_noise(dark: float) -> None:
     measured = transfer(bits=14, read_noise=20, dark=dark)
-    gain = sensor_of(14, "100", 20).gain_e_per_dn
+    gain = sensor_of(14, 100, 20).gain_e_per_dn
     expected = (patch_means_e(0) + dark + 20**2) / gain**2 + 1 / 12
     inside = patch_means_e(0) + dark < 0.9 * FULL_WELL_E
     assert np.count_nonzero(inside) > 18
@@ -69,7 +69,7 @@ def test_gain_agrees_with_truth_within_its_errors(iso: str, bits: int) -> None:
         gain = transfer(**given, dark=dark, read_noise=read_noise).gain
         if gain is None:
             continue
-        off = gain.e_per_dn - sensor_of(bits, iso, read_noise).gain_e_per_dn
+        off = gain.e_per_dn - sensor_of(bits, float(iso), read_noise).gain_e_per_dn
         assert abs(off) < 3.5 * gain.error_e_per_dn, (given, dark, read_noise)
         assert gain.error_e_per_dn < 0.1 * gain.e_per_dn
 
@@ -89,7 +89,7 @@ def test_detail_of_a_readers_picture_leaves_the_gain_unchanged(iso: str, exposur
     assert done["light"][8] == pytest.approx(FULL_WELL_E * 2.0**exposure * tile, rel=1e-3)
     gain = done["transfer"].gain
     assert gain is not None
-    assert gain.e_per_dn == pytest.approx(sensor_of(12, iso, 10).gain_e_per_dn, rel=0.15)
+    assert gain.e_per_dn == pytest.approx(sensor_of(12, float(iso), 10).gain_e_per_dn, rel=0.15)
     shown = SCENE.render(settings, "quantile", cache, detailed())
     assert shown.description.startswith(f"Your own picture at ISO {iso}")
     assert {place.name for place in shown.handles} == {"patch"}

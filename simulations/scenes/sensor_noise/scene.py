@@ -42,6 +42,7 @@ from simulations.scenes.sensor_noise.sensor import (
     Transfer,
     estimate,
     floor_e2,
+    iso_of,
     patch_light_e,
     patch_means_e,
     saturation_e,
@@ -82,7 +83,7 @@ class Curve:
 
 
 def camera_of(settings: Settings) -> Sensor:
-    return sensor_of(settings.bits, settings.iso, settings.read_noise)
+    return sensor_of(settings.bits, iso_of(settings), settings.read_noise)
 
 
 def curve_of(settings: Settings) -> Curve:
@@ -299,7 +300,7 @@ def describe(settings: Settings, outputs: Outputs, ratio: str) -> str:
         off = abs(gain.e_per_dn / camera.gain_e_per_dn - 1)
         fit = f"the variances give the conversion gain to within {math.ceil(100 * off)} %"
     return (
-        f"{subject} at ISO {settings.iso} and {settings.bits} bits: "
+        f"{subject} at ISO {iso_of(settings):.0f} and {settings.bits} bits: "
         f"{burnt}, patch {settings.patch} {visibility}, and {fit}."
     )
 
@@ -355,5 +356,6 @@ SCENE = Scene(
     accuracy=Accuracy(
         levels=tiers(*SHOT_MODELS), default="quantile", ladder="shot-noise", estimate=estimate
     ),
+    parameters=lambda settings, _tier: {"iso": iso_of(settings)},
     formula=shot_noise_from_normal,
 )

@@ -30,6 +30,7 @@ type Codes = NDArray[np.uint16]
 
 SHOT, READ, CELLS, ROOM, CLICKS = 1, 2, 4, 5, 6
 """Streams of random numbers: electrons, amplifier, cells' pattern, the room and the sound."""
+ISOS = 100, 200, 400, 800, 1600, 3200, 6400
 FRAMES = 2  # exposures of the same light; both share the pattern of the cells, which is not noise
 FULL_WELL_E = 20_000.0
 BRIGHTEST_E = 2 * FULL_WELL_E  # mean of the first patch at 0 EV: one stop above the full well
@@ -45,13 +46,18 @@ EXPOSURES = 16  # of the patches, for the error of a tier
 @dataclass(frozen=True, slots=True)
 class Settings:
     exposure: float = slider("Exposure", 0, -6, 0, 0.5, unit="EV")
-    iso: str = choice("ISO", {str(iso): str(iso) for iso in (100, 200, 400, 800, 1600, 3200, 6400)})
+    iso: str = choice("ISO", {**{str(iso): str(iso) for iso in ISOS}, "auto": "Auto"})
     read_noise: float = slider("Read noise", 10, 0, 60, 1, unit="e⁻")
     dark: float = slider("Dark signal", 0, 0, 2000, 20, unit="e⁻")
     unequal: float = slider("Unequal cells (PRNU)", 0, 0, 5, 0.5, unit="%")
     bits: int = slider("Bit depth", 12, 4, 14, 1, unit="bits")
     patch: int = slider("Patch", 9, 1, 24, 1)
     new_noise: int = action(*("Take another photo",) * 8)
+
+
+def iso_of(settings: Settings) -> float:
+    """The ISO; chosen by the camera, it makes up for the exposure, and white stays white."""
+    return ISOS[0] * 2.0**-settings.exposure if settings.iso == "auto" else float(settings.iso)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,7 +78,7 @@ class Transfer:
     """Gain from the slope of the fitted part; None if that does not determine it."""
 
 
-def sensor_of(bits: int, iso: str, read_noise: float) -> Sensor:
+def sensor_of(bits: int, iso: float, read_noise: float) -> Sensor:
     """The sensor: at ISO 100 the top code is a full well; a 64th of the codes is below black."""
     black = 2.0**bits / 64
     base = Sensor(
@@ -83,7 +89,7 @@ def sensor_of(bits: int, iso: str, read_noise: float) -> Sensor:
         bits=bits,
         black_level_dn=black,
     )
-    return photon_counting.with_iso(base, float(iso))
+    return photon_counting.with_iso(base, iso)
 
 
 def saturation_e(camera: Sensor) -> float:
@@ -156,14 +162,14 @@ def of_cells(mean_e: Floats) -> Floats:
     return np.repeat(mean_e[:, None].astype(np.float32), PATCH_PX**2, axis=1)
 
 
-def read(electrons: Floats, grain: Floats, bits: int, iso: str, read_noise: float) -> Codes:
+def read(electrons: Floats, grain: Floats, bits: int, iso: float, read_noise: float) -> Codes:
     quiet = sensor_of(bits, iso, 0.0)  # the grain includes the read noise
     reported = electrons + np.float32(read_noise) * grain if read_noise else electrons
     signal = photon_counting.read_out(reported, quiet, np.random.default_rng(0))
     return photon_counting.quantise(signal, quiet.bits)
 
 
-def measure(codes: Codes, bits: int, iso: str, read_noise: float, dark: float) -> Transfer:
+def measure(codes: Codes, bits: int, iso: float, read_noise: float, dark: float) -> Transfer:
     camera = sensor_of(bits, iso, read_noise)
     mean = codes.mean(axis=(0, 2), dtype=np.float64) - camera.black_level_dn
     mean -= dark / camera.gain_e_per_dn
@@ -198,7 +204,7 @@ def picture(codes: Codes, bits: int) -> Raster:
 @cache
 def colour_of_code(bits: int) -> NDArray[np.uint8]:
     """(codes, 4) canvas bytes of each code, the same for any ISO."""
-    linear = photon_counting.develop(np.arange(2.0**bits), sensor_of(bits, "100", 0.0))
+    linear = photon_counting.develop(np.arange(2.0**bits), sensor_of(bits, ISOS[0], 0.0))
     colours: NDArray[np.uint8] = to_rgba8(encode_srgb(np.clip(linear, 0, 1))[None])[0]
     colours.flags.writeable = False
     return colours
@@ -222,7 +228,7 @@ def room_grain(seed: tuple[int, ...], count: int) -> NDArray[np.float32]:
 
 def room(
     exposure: float,
-    iso: str,
+    iso: float,
     read_noise: float,
     dark: float,
     unequal: float,
