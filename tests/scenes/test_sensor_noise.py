@@ -126,3 +126,19 @@ def test_first_estimate_is_of_the_shown_electrons(tier: str) -> None:
     first, *more = estimates(tier, exposure=-4, dark=40)
     assert first.text == f"{gap:.3f}"
     assert len(more) == EXPOSURES - 1
+
+
+def test_automatic_iso_keeps_the_room_as_bright_and_makes_it_noisier() -> None:
+    """As a second take shows, whose room is the same and whose noise is not."""
+    noises, levels = [], []
+    for exposure in (0, -3, -6):
+        takes = [
+            decode_srgb(outputs(iso="auto", exposure=exposure, new_noise=take)["room"] / 255)[
+                ..., :3
+            ]
+            for take in (0, 1)
+        ]
+        noises.append((takes[0] - takes[1]).std())
+        levels.append(takes[0].mean())
+    assert levels == pytest.approx([levels[0]] * 3, rel=0.03)
+    assert noises[2] > 2 * noises[1] > 4 * noises[0]
