@@ -187,8 +187,7 @@ HIGHER_ON_A_DESK = {
 }  # fmt: skip
 HIGHER_ON_A_PHONE = {
     "figure-your-edge": 1275, "figure-your-lens": 1440, "figure-single-view": 1240,
-    "figure-your-noise": 1080, "figure-second-bounce": 845, "figure-bayer-demosaic": 815,
-    "figure-spectrum-to-rgb": 815, "figure-stability": 795,
+    "figure-your-noise": 1080,
 }  # fmt: skip
 OUTSIDE_HEADER = """() => [...document.querySelectorAll(".site-header *")]
   .filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > innerWidth + 1)
