@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from simulations.engine.expressions import evaluate
+from simulations.engine.expressions import ExpressionError, evaluate
 from simulations.engine.frame import Frame
 from simulations.engine.settings import values_of
 
@@ -29,4 +29,11 @@ def names_in(settings: object, frame: Frame) -> Mapping[str, object]:
 def first_true(conditions: Sequence[str], settings: object, frame: Frame) -> int | None:
     """The place of the first condition that holds, or None. Raises `ExpressionError`."""
     names = names_in(settings, frame)
-    return next((at for at, text in enumerate(conditions) if evaluate(text, names)), None)
+    return next((at for at, text in enumerate(conditions) if _holds(text, names)), None)
+
+
+def _holds(condition: str, names: Mapping[str, object]) -> bool:
+    value = evaluate(condition, names)
+    if isinstance(value, tuple):
+        raise ExpressionError(f"{condition!r} is a list; legal: a condition, with decimal points")
+    return bool(value)

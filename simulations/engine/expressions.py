@@ -8,6 +8,7 @@ has no methods and no comprehensions.
 import ast
 import math
 import operator
+import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -67,7 +68,8 @@ def evaluate(text: str, names: Mapping[str, object]) -> Any:
     try:
         tree = ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):
-        raise ExpressionError(f"{text!r} is no expression; legal: as '2 * x < 1'") from None
+        legal = "'-' for minus" if re.search("[−–]", text) else "as '2 * x < 1'"
+        raise ExpressionError(f"{text!r} is no expression; legal: {legal}") from None
     return evaluate_node(tree.body, names, text)
 
 
@@ -115,9 +117,13 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
             call = _value(node.func, names)
             named = {str(item.arg): _value(item.value, names) for item in given if item.arg}
             return call(*(_value(arg, names) for arg in args), **named)
-    raise ExpressionError(
-        f"{ast.unparse(node)!r} has no meaning here; legal: numbers, names, calls, comparisons"
-    )
+    legal = "numbers, names, calls, comparisons"
+    match node:
+        case ast.BinOp(op=ast.BitXor()):
+            legal = "'**' for a power"
+        case ast.Call(func=ast.Attribute(attr=attr)):
+            legal = f"the name alone, '{attr}(…)'"
+    raise ExpressionError(f"{ast.unparse(node)!r} has no meaning here; legal: {legal}")
 
 
 def _power(base: Any, exponent: Any) -> Any:

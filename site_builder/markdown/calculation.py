@@ -107,11 +107,9 @@ def number_text(written: str, context: ParseContext) -> str:
     return _separator(context).join(text(*parts) for parts in _formatted(written, context))
 
 
-def compute_formula(tex: str, context: ParseContext) -> str:
-    r"""The formula with a number in place of each ``\calc{expression:.2f}``.
-
-    Raises `ExpressionError`.
-    """
+def compute_formula(tex: str, line: int, context: ParseContext) -> str:
+    r"""The formula, which begins on ``line``, with a number in place of each
+    ``\calc{expression:.2f}``; nothing, and a diagnostic, where one cannot be computed."""
 
     def number_tex(mantissa: str, exponent: str) -> str:
         power = rf" \cdot 10^{{{int(exponent)}}}" if exponent else ""
@@ -122,7 +120,13 @@ def compute_formula(tex: str, context: ParseContext) -> str:
         shown = (number_tex(*parts) for parts in _formatted(match[1], context))
         return _separator(context).join(shown)
 
-    return IN_FORMULA.sub(numbers, tex)
+    for match in IN_FORMULA.finditer(tex):
+        place = line + tex.count("\n", 0, match.start())
+        found = or_problem(partial(numbers, match), place, context)
+        if found is None:
+            return ""
+        tex = tex.replace(match[0], found, 1)
+    return tex
 
 
 def _separator(context: ParseContext) -> str:
@@ -136,7 +140,9 @@ def define_names(token: Token, line: int, context: ParseContext) -> None:
     try:
         body = ast.parse(token.content).body
     except SyntaxError as error:
-        context.problem(line + (error.lineno or 1), f"malformed calculation: {error.msg}; {LEGAL}")
+        message = f"malformed calculation: {error.msg}; {LEGAL}"
+        lost = re.findall(r"[^\W\d]\w*", token.content)
+        context.problem(line + (error.lineno or 1), message, spoils=_unknown(lost))
         body = []
     for statement in body:
         try:
@@ -144,8 +150,20 @@ def define_names(token: Token, line: int, context: ParseContext) -> None:
                 context.values[name] = value
         except (ExpressionError, LookupError) as error:
             place = first + statement.lineno - 1
-            context.problem(place, str(error.args[0]), raised_by_code(error))
+            lost = [
+                getattr(node, "asname", "") or getattr(node, "name", "") or getattr(node, "id", "")
+                for node in ast.walk(statement)
+                if isinstance(node, ast.alias | ast.FunctionDef)
+                or isinstance(getattr(node, "ctx", None), ast.Store)
+            ]
+            message = str(error.args[0])
+            context.problem(place, message, raised_by_code(error), spoils=_unknown(lost))
     token.type, token.content = "html_block", ""
+
+
+def _unknown(lost: Iterable[str]) -> tuple[str, ...]:
+    """What follows where these names are not defined."""
+    return tuple(f"unknown name {name!r}" for name in lost)
 
 
 def _defined(statement: ast.stmt, context: ParseContext) -> Iterator[tuple[str, object]]:
@@ -159,7 +177,8 @@ def _defined(statement: ast.stmt, context: ParseContext) -> Iterator[tuple[str, 
             if not evaluate_node(claim, names_for(context)):
                 raise ExpressionError(f"{ast.unparse(claim)!r} does not hold; legal: what is true")
         case _:
-            raise ExpressionError(f"{ast.unparse(statement)!r} in a calculation; {LEGAL}")
+            first = ast.unparse(statement).partition("\n")[0]
+            raise ExpressionError(f"{first!r} in a calculation; {LEGAL}")
 
 
 def _assigned(target: ast.expr, value: object) -> Iterator[tuple[str, object]]:
@@ -197,7 +216,10 @@ def _as_number(value: Any, text: str) -> float:
     except (TypeError, ValueError, OverflowError):
         result = float("nan")
     if not isfinite(result):
-        raise ExpressionError(f"{text!r} is {value!r:.30}; legal: what comes to a finite number")
+        legal = (
+            "a decimal point" if LIST_OF_DIGITS.search(text) else "what comes to a finite number"
+        )
+        raise ExpressionError(f"{text!r} is {value!r:.30}; legal: {legal}")
     return result
 
 
