@@ -129,10 +129,10 @@ def _check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
         if not isinstance(task, FigureTask) or not task.figure or not task.solution:
             continue
         figure = figures.get(task.figure)
-        error = None
+        error, line = None, quiz.line
         if figure:
             try:
-                message = _figure_question_error(quiz, task.solution, figure)
+                line, message = _figure_question_error(quiz, task, figure)
             except Exception as raised:  # whatever a scene's own code may raise
                 error = raised
                 message = f"quiz {quiz.id!r}: {figure.scene.id!r} cannot be drawn: {cause(raised)}"
@@ -141,23 +141,27 @@ def _check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
         else:
             message = unknown("figure of this page", task.figure, chapter.figures)
         if message:
-            problems.add(quiz.path, quiz.line, message, error)
+            problems.add(quiz.path, line, message, error)
 
 
-def _figure_question_error(quiz: Quiz, solution: Mapping[str, str], figure: Simulation) -> str:
-    """What is wrong with the question, or nothing. Raises whatever the scene does."""
-    what = f"quiz {quiz.id!r}"
+def _figure_question_error(quiz: Quiz, task: FigureTask, figure: Simulation) -> tuple[int, str]:
+    """A line and what is wrong there, or nothing. Raises whatever the scene does."""
+    what, solution = f"quiz {quiz.id!r}", task.solution
     stated = " ".join(f"{name}={value}" for name, value in solution.items())
     try:
         if message := _unreachable_value(solution, figure):
-            return f"{what}: {message}"
+            return task.line, f"{what}: {message}"
         if not _reply_at(quiz, figure, {**figure.values, **solution}).correct:
-            return f"{what} is not solved by {stated!r}; legal: settings that its [x] is true of"
+            legal = "settings that its [x] is true of"
+            return task.line, f"{what} is not solved by {stated!r}; legal: {legal}"
         if _reply_at(quiz, figure, figure.values).correct:
-            return f"{what} is solved before it is asked; legal: a start that its [x] is false of"
-    except (ControlError, ExpressionError) as error:
-        return f"{what}: {error}"
-    return ""
+            legal = "a start that its [x] is false of"
+            return quiz.line, f"{what} is solved before it is asked; legal: {legal}"
+    except ControlError as error:
+        return task.line, f"{what}: {error}"
+    except ExpressionError as error:
+        return quiz.line, f"{what}: {error}"
+    return quiz.line, ""
 
 
 def _unreachable_value(solution: Mapping[str, str], figure: Simulation) -> str:
@@ -192,7 +196,7 @@ def _check_glossary(book: Book, problems: Diagnostics) -> None:
             ]
             expected = ", ".join(sections[:6]) or "a section that does"
             message = f"{term.name!r} is not in the text of {term.explained!r}; legal: {expected}"
-            problems.add(GLOSSARY, term.line, message)
+            problems.add(GLOSSARY, term.lines["explained"], message)
 
 
 def _check_term_order(book: Book, problems: Diagnostics) -> None:
@@ -227,7 +231,9 @@ def _check_symbols(book: Book, problems: Diagnostics) -> None:
             if not covering and tex not in UNDECLARED:
                 names = [name for name, _ in expected]
                 message = unknown(f"symbol in {chapter.id}", tex, names)
-                problems.add(chapter.path, formula.line, f"{message} (in {FILE})")
+                rows = enumerate(formula.tex.split("\n"), formula.line)
+                line = next((line for line, row in rows if tex in symbols_of(row)), formula.line)
+                problems.add(chapter.path, line, f"{message} (in {FILE})")
     for name, declared in book.symbols.items():
         if name != BOOK and name not in chapters:
             line = declared[0].symbol.line - 1 if declared else 1

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import simulations
 from simulations import engine
+from simulations.engine.controls import ControlError
 
 HERE = Path(__file__).resolve().parents[1]
 REMEMBERED = "place_and_words"
@@ -67,11 +68,13 @@ def place_of(error: BaseException) -> str:
 
 @contextmanager
 def in_module(module: str) -> Iterator[None]:
-    """What is raised within, but at no line of an author's, is of this module: see `place_in`."""
+    """What is raised within, but at no line of an author's, or about a control, is of this module:
+    see `place_in`."""
     try:
         yield
     except Exception as error:
-        if not place_of(error):
+        of_control = isinstance(error, ControlError) or words_of(error).startswith("setting '")
+        if of_control or not place_of(error):
             remember(error, place_in(module, words_of(error)), words_of(error))
         raise
 
@@ -79,6 +82,9 @@ def in_module(module: str) -> Iterator[None]:
 QUOTED = re.compile(r"'([^'\n]+)'")
 FORMS = (r"""["']{}["']""", r"""["'](?:.*\s)?{}(?:\s.*)?["']""", r"^(?!from|import).*\b{}\b")
 """How a word may stand in a line: as a text, within one, elsewhere."""
+OF_CONTROL = re.compile(r"(?:setting ')?(\w+)'?: ")
+DECLARED = r"\b_?{}\b\s*(?::[^=]*)?=\s*[\w.]+\("
+"""How a message begins that names a control, and where that is declared."""
 SCENE = r"SCENE\b|@figure\b"
 TRACED = re.compile(r'File "(.+)", line (\d+)')
 
@@ -96,7 +102,9 @@ def place_in(module: str, message: str) -> str:
         return ""
     lines = file.read_text(encoding="utf-8", errors="replace").split("\n")
     words = reversed(QUOTED.findall(message.partition("; ")[0]))
-    for form in (*(form.format(re.escape(word)) for word in words for form in FORMS), SCENE):
+    forms = [DECLARED.format(name) for name in OF_CONTROL.findall(message)[:1]]
+    forms += [form.format(re.escape(word)) for word in words for form in FORMS]
+    for form in (*forms, SCENE):
         for number, line in enumerate(lines, start=1):
             if re.search(form, line):
                 return f"{_relative(file)}:{number}"

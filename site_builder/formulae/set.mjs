@@ -3,7 +3,7 @@
  * Called with the folder of the packages. A formula that is spoken has words as its `alttext`.
  *
  *   {"tex": "…", "display": true, "spoken": true, "macros": {"\\R": "…"}}
- *   {"mathml": "…"} or {"error": "…"}
+ *   {"mathml": "…"} or {"error": "…", "position": 3}
  */
 
 import { createRequire } from "node:module";
@@ -50,7 +50,7 @@ async function answer(request) {
   } catch (error) {
     if (error.name !== "ParseError") return { error: "a part of it is missing" };
     const [reason] = error.message.trim().split(/ at (?:position \d|end of input)/);
-    return { error: reason.replaceAll("'EOF'", "its end") };
+    return { error: reason.replaceAll("'EOF'", "its end"), position: error.position ?? 0 };
   }
 }
 

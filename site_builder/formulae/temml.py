@@ -133,6 +133,11 @@ SPOKEN = "en"
 class UnsupportedTexError(ValueError):
     """The formula cannot be set; the message names the part."""
 
+    def __init__(self, message: str, above: int = 0) -> None:
+        super().__init__(message)
+        self.above = above
+        """Lines of the formula above the part."""
+
 
 def to_mathml(
     tex: str,
@@ -155,17 +160,31 @@ def _to_mathml(tex: str, display: bool, spoken: bool, macros: Macros, _sources: 
     if not tex.strip():
         raise UnsupportedTexError(EMPTY)
     for name, legal in INSTEAD.items():
-        if re.search(rf"\\{name}(?![A-Za-z])", tex):
-            raise UnsupportedTexError(rf"\{name} in {quoted(tex)}; legal: {legal}")
+        if found := re.search(rf"\\{name}(?![A-Za-z])", tex):
+            message = rf"\{name} in {quoted(tex)}; legal: {legal}"
+            raise UnsupportedTexError(message, tex.count("\n", 0, found.start()))
     bodies = {f"\\{name}": common_tex(body) for name, body in macros.items()}
-    answer = set_tex(common_tex(tex), display=display, spoken=spoken, macros=bodies)
+    common = common_tex(tex)
+    answer = set_tex(common, display=display, spoken=spoken, macros=bodies)
     advance()
     if "error" in answer:
-        raise UnsupportedTexError(_in_words(answer["error"], tex))
+        above = common.count("\n", 0, _place(common, int(answer.get("position", 0))))
+        raise UnsupportedTexError(_in_words(answer["error"], tex), above)
     mathml = answer["mathml"]
     if not re.search(r">[^<\s]", mathml):
         raise UnsupportedTexError(EMPTY)
     return mathml
+
+
+def _place(tex: str, met: int) -> int:
+    """Where a mistake is that is ``met`` somewhere: of what is never closed, its brace."""
+    opened: list[int] = []
+    for found in re.finditer(r"\\.|[{}]", tex) if met >= len(tex) else ():
+        if found[0] == "{":
+            opened.append(found.start())
+        elif found[0] == "}" and opened:
+            opened.pop()
+    return opened[-1] if opened else met
 
 
 def quoted(tex: str) -> str:

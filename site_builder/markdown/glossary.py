@@ -22,16 +22,18 @@ def read_definitions(context: ParseContext) -> tuple[Definition, ...]:
 
 
 def _definition(term: Term, context: ParseContext) -> Definition:
-    words = _without_links(term.says, term.line, f"the definition of {term.name!r}", context)
+    words = _without_links(
+        term.says, term.lines["says"], f"the definition of {term.name!r}", context
+    )
     try:
         found = context.targets.find(term.explained, context.chapter) if term.explained else None
     except LookupError as error:
-        context.problem(term.line, str(error.args[0]))
+        context.problem(term.lines["explained"], str(error.args[0]))
         found = None
     if found and found.kind not in ("Section", "Chapter", "Appendix"):
         expected = "a section, 'CHAPTER#ID', or a chapter"
         message = f"{term.name!r} explained by {found.name}; legal: {expected}"
-        context.problem(term.line, message)
+        context.problem(term.lines["explained"], message)
     return Definition(term, words, found)
 
 

@@ -49,6 +49,7 @@ IGNORED = (
 """Fields that no reference shows and that resemble one that it does."""
 MISSPELT = 0.75
 """How alike the names of two fields or kinds are, from 0 to 1, where one was meant."""
+FIELD = re.compile(r"\s*[\w-]+\s*=")
 ENTRY = re.compile(r"\s*@(\w+)\s*\{\s*([^,\s]+)\s*,")
 
 
@@ -162,16 +163,34 @@ def read_bibliography(sources: Sources, words: Words = ENGLISH) -> Works:
     try:
         entries = parse_string(text, "bibtex").entries
     except (PybtexError, RecursionError) as error:
-        line = getattr(error, "lineno", None) or _line_of(str(error), text)
-        advice = "; legal: names with 'and' between them" if "commas" in str(error) else ""
-        message = f"malformed BibTeX: {error}{advice}"
-        problems.add(FILE, line, message, spoils=("unknown work",))
+        line, said = _unclosed(text)
+        if not said:
+            line = getattr(error, "lineno", None) or _line_of(str(error), text)
+            advice = "; legal: names with 'and' between them" if "commas" in str(error) else ""
+            advice = "; legal: a comma behind each field" if "expected" in str(error) else advice
+            said = re.sub(r" in line \d+", "", str(error)) + advice
+        problems.add(FILE, line, f"malformed BibTeX: {said}", spoils=("unknown work",))
         return NO_WORKS
     lines = _lines(text)
     works = [
         _work(key, entry, lines.get(key, 1), words, problems) for key, entry in entries.items()
     ]
     return {work.key: work for work in _with_letters(sorted(works, key=_order))}
+
+
+def _unclosed(text: str) -> tuple[int, str]:
+    """The line of a brace that is never closed, and what is wrong there; nothing without one."""
+    key, depth, field, opened = "", 0, 0, 0
+    for number, line in enumerate([*text.split("\n"), "@end{end,"], start=1):
+        if entry := ENTRY.match(line):
+            if depth:
+                return opened or field, f"a brace of {key!r} is never closed; legal: '{{…}}'"
+            key, field, opened = entry[2], number, 0
+        elif FIELD.match(line):
+            opened = opened or (field if depth > 1 else 0)
+            field = number
+        depth += line.count("{") - line.count("}")
+    return 1, ""
 
 
 def _lines(text: str) -> dict[str, int]:

@@ -21,9 +21,9 @@ from functools import cached_property
 from itertools import groupby
 
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
-from site_builder.files.text import Sources
+from site_builder.files.text import Sources, Toml
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.settings.declared import DAY, TEXT, Reader, key, texts
+from site_builder.settings.declared import DAY, TEXT, Reader, key, keys_of, texts
 
 GLOSSARY = "content/glossary.toml"
 NAMES = texts('["one", "another"]')
@@ -40,6 +40,8 @@ class Term:
     related: tuple[str, ...] = key(NAMES, default=())
     words: tuple[str, ...] = key(NAMES, default=())
     line: int = 1
+    lines: Mapping[str, int] = field(default_factory=dict)
+    """Of its keys."""
     endings: tuple[str, ...] = ("s", "es")
     """Endings of plurals, in the language of the book."""
 
@@ -119,16 +121,24 @@ def read_glossary(sources: Sources, words: Words = ENGLISH) -> Glossary:
     reader = Reader(GLOSSARY, toml, sources.problems)
     endings = tuple(words("language.plural_endings").split())
     terms = [
-        reader.table(Term, entry, (name,), name=name, line=toml.line(name), endings=endings)
+        reader.table(
+            Term,
+            entry,
+            (name,),
+            name=name,
+            line=toml.line(name),
+            lines={item.name: toml.line(name, item.name) for item in keys_of(Term)},
+            endings=endings,
+        )
         for name, entry in toml.table.items()
     ]
     terms.sort(key=lambda term: term.name.casefold())
     glossary = Glossary({term.name: term for term in terms})
-    _check_names(glossary, sources.problems)
+    _check_names(glossary, toml, sources.problems)
     return glossary
 
 
-def _check_names(glossary: Glossary, problems: Diagnostics) -> None:
+def _check_names(glossary: Glossary, toml: Toml, problems: Diagnostics) -> None:
     """Report a name that two terms have, and related terms that there are not."""
     first: dict[str, Term] = {}
     for term in glossary.terms.values():
@@ -136,12 +146,14 @@ def _check_names(glossary: Glossary, problems: Diagnostics) -> None:
             other = first.setdefault(name, term)
             if other is not term:
                 message = f"{name!r} is a name of {other.name!r} too; legal: of one term"
-                problems.add(GLOSSARY, term.line, message)
+                line = toml.line_of_text(name, term.lines["also"])
+                problems.add(GLOSSARY, line, message)
         others = [name for name in glossary.terms if name != term.name]
         for name in term.related:
             if name not in others:
                 message = unknown(f"term related to {term.name!r}", name, others)
-                problems.add(GLOSSARY, term.line, message)
+                line = toml.line_of_text(name, term.lines["related"])
+                problems.add(GLOSSARY, line, message)
 
 
 SYMBOLS = "content/symbols.toml"
@@ -177,18 +189,19 @@ def read_symbols(sources: Sources) -> Symbols:
             problems.add(SYMBOLS, read.line(chapter), message)
             continue
         rows = [_symbol(tex, row, read.line(chapter, tex)) for tex, row in table.items()]
-        for tex, row in zip(table, rows, strict=True):
-            if row is None:
-                problems.add(SYMBOLS, read.line(chapter, tex), f"{tex!r}; legal: {FORM}")
-        found[chapter] = tuple(row for row in rows if row)
+        for row in rows:
+            if not row.means:
+                problems.add(SYMBOLS, row.line, f"{row.tex!r}; legal: {FORM}")
+        found[chapter] = tuple(rows)
     return found
 
 
-def _symbol(tex: str, row: object, line: int) -> Symbol | None:
+def _symbol(tex: str, row: object, line: int) -> Symbol:
+    """Without a meaning where the row is malformed."""
     texts = [item for item in row if isinstance(item, str)] if isinstance(row, list) else []
     if not isinstance(row, list) or len(row) not in (1, 2) or len(texts) != len(row):
-        return None
-    return Symbol(tex, texts[0], texts[1] if len(texts) > 1 else "", line) if texts[0] else None
+        texts = [""]
+    return Symbol(tex, texts[0], texts[1] if len(texts) > 1 else "", line)
 
 
 NEWS = "content/news.toml"

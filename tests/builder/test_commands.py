@@ -259,6 +259,8 @@ def test_exception_of_a_scene_is_reported_once_at_its_line_and_figure(tmp_path: 
         ("stage 'fall' reads 'termnal'; legal: terminal", 1),
         ("panel 'speed': unknown class 'rayy'", 3),
         ("no description", 6),
+        ("depth: default 5 outside 0 to 3", 8),
+        ("setting 'depth': a slider is float or int, not str", 8),
     ],
 )
 def test_mistake_of_a_scene_is_at_the_line_that_it_quotes(
@@ -270,6 +272,8 @@ STYLE = "rayy bold"
 ball = 3
 BALL = Handle("ball", "sped")
 SCENE = Scene()
+def read(depth): pass
+def draw(size=1, depth: float = slider("Depth", 5, 0, 3)): pass
 """
     with small_package(tmp_path, {"ball": source}):
         found = Diagnostics()

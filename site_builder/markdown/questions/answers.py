@@ -4,6 +4,7 @@
   : Twice the radius gives eight times the displacement.
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -185,6 +186,10 @@ def check_answers(
         context.problem(call.line, fault)
 
 
-def report_not_coded(answer: Answer, context: ParseContext) -> None:
-    expected = f"an expression between backticks, or '- [ ] {OTHERWISE}'"
-    context.problem(answer.line, f"answer {answer.text!r} is not computed; legal: {expected}")
+def report_not_coded(call: DirectiveCall, answer: Answer, context: ParseContext) -> None:
+    number = answer.text.replace("−", "-").replace("–", "-").replace(",", ".")
+    is_number = re.fullmatch(r"-?\d*\.?\d+", number)
+    expected = f"'`{number}`'" if is_number else "an expression between backticks"
+    expected += f", or '- [ ] {OTHERWISE}'"
+    message = f"answer {answer.text!r} is not computed; legal: {expected}"
+    context.problem(answer.line, message, spoils=(f"quiz {call.argument!r} is not solved",))

@@ -55,7 +55,7 @@ def read_task(
         if len(parts[name]) != 1:
             count = len(parts[name]) or "no"
             message = f"exercise {call.argument!r} has {count} '```{name}'; legal: one"
-            context.problem(call.line, message)
+            context.problem(call.line, message, spoils=(f"of quiz {call.argument!r}",))
             return None
     ladder, _, tier = call.text("ladder").partition(" ")
     figure, _, settings = call.text("figure").partition(" ")

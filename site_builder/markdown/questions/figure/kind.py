@@ -21,6 +21,8 @@ class FigureTask:
     """Its element id."""
     solution: Mapping[str, str]
     """Settings that are right."""
+    line: int
+    """Where they stand."""
 
 
 def read_state(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> QuestionBody:
@@ -32,11 +34,11 @@ def read_state(call: DirectiveCall, body: Sequence[Token], context: ParseContext
             right = answer.mark == "right"
             options.append(Option(Passage(), answer.code or OTHERWISE, right, answer.reply))
         else:
-            report_not_coded(answer, context)
+            report_not_coded(call, answer, context)
     check_answers(call, options, answers.count, context, otherwise=True)
-    return QuestionBody(
-        answers.prompt, tuple(options), FigureTask(call.text("figure"), _solution(call, context))
-    )
+    solution, line = _solution(call, context), call.line_of("solution")
+    task = FigureTask(call.text("figure"), solution, line)
+    return QuestionBody(answers.prompt, tuple(options), task)
 
 
 def _solution(call: DirectiveCall, context: ParseContext) -> dict[str, str]:
@@ -44,7 +46,8 @@ def _solution(call: DirectiveCall, context: ParseContext) -> dict[str, str]:
     pairs = call.text("solution").split()
     if not call.text("figure") or not pairs or not all("=" in pair for pair in pairs):
         expected = "lines ':figure: figure-SCENE' and ':solution: control=value …'"
-        context.problem(call.line, f"quiz {call.argument!r} cannot be solved; legal: {expected}")
+        message = f"quiz {call.argument!r} cannot be solved; legal: {expected}"
+        context.problem(call.line_of("solution"), message)
     return dict(pair.split("=", 1) for pair in pairs if "=" in pair)
 
 

@@ -60,7 +60,7 @@ def _read_options(
         elif answer.text == OTHERWISE and answer.mark == "wrong":
             values.append((answer, None))
         else:
-            report_not_coded(answer, context)
+            report_not_coded(call, answer, context)
     right = next((value for answer, value in values if answer.mark == "right"), None)
     tolerance = _tolerance(call, right, context)
     _check_apart(values, tolerance, context)
