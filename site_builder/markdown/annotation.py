@@ -8,16 +8,17 @@ from urllib.parse import unquote
 from markdown_it.token import Token
 
 from site_builder.diagnostics.blame import raised_by_code
-from site_builder.diagnostics.diagnostic import unknown
+from site_builder.diagnostics.diagnostic import nearest
 from site_builder.document.book import OUTLINE
 from site_builder.document.places import Link, Passage, chapter_id, passage
 from site_builder.formulae.temml import UnsupportedTexError, to_mathml
-from site_builder.markdown.calculation import BLOCK, compute_formula, define_names, or_problem
+from site_builder.markdown.calculation import BLOCK, IN_FORMULA, compute_formula, define_names
 from site_builder.markdown.numbering import list_headings
 from site_builder.markdown.parse_context import ParseContext, Shared
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import code_html
+from site_builder.markdown.text.dialects import unknown_name
 from site_builder.markdown.text.tokens import displayed_parts, glue_formulae, located, plain_text
 
 DEFINITION = re.compile(
@@ -26,6 +27,7 @@ DEFINITION = re.compile(
 ROLE_NAMES = tuple(role.name for role in ROLES)
 UNIT = re.compile(r"(?:\u00a0|(?=°$))(\S+)$")
 BARE_ROLE = re.compile(r"\{([\w-]+)\}(?!`)")
+BARE_KEY = re.compile(r"(\[-?)?(?<![\w@.])@([\w:.+-]*\w)")
 
 
 def annotate(tokens: Sequence[Token], context: ParseContext) -> None:
@@ -59,30 +61,34 @@ def _set_formula(token: Token, line: int, context: ParseContext) -> None:
         )
         context.problem(line, message, spoils=(f"unsupported TeX command '\\{name}'",))
         return
-    tex = or_problem(lambda: compute_formula(token.content, context), line, context)
-    if tex is None:
+    tex = compute_formula(token.content, line, context)
+    if IN_FORMULA.search(token.content) and not tex:
         return
     token.content = tex
     context.formulae.append((line, tex, token.type != "math_inline"))
     try:
         token.meta["mathml"] = _mathml(token, context.shared)
     except UnsupportedTexError as error:
-        context.problem(line, str(error))
+        context.problem(line + error.above, str(error))
 
 
 def _mathml(formula: Token, shared: Shared) -> str:
-    tex, display = formula.content.strip(), formula.type != "math_inline"
-    parts = displayed_parts(tex) if display else [tex]
-    return "".join(
-        to_mathml(
-            part,
-            display=display,
-            macros=shared.macros,
-            language=shared.words.language,
-            colours=shared.colours,
-        )
-        for part in parts or [tex]
-    )
+    tex, display = formula.content, formula.type != "math_inline"
+    parts = displayed_parts(tex) if display else [tex.strip()]
+    mathml = ""
+    for part in parts or [tex]:
+        try:
+            mathml += to_mathml(
+                part,
+                display=display,
+                macros=shared.macros,
+                language=shared.words.language,
+                colours=shared.colours,
+            )
+        except UnsupportedTexError as error:
+            above = tex.count("\n", 0, tex.find(part))
+            raise UnsupportedTexError(str(error), above + error.above) from None
+    return mathml
 
 
 def _set_code(token: Token, line: int, context: ParseContext) -> None:
@@ -98,7 +104,8 @@ def _set_code(token: Token, line: int, context: ParseContext) -> None:
 def _set_words(token: Token, line: int, context: ParseContext) -> None:
     role: Role = token.meta["role"]
     if role.inline is not None:
-        token.children = list(role.inline(token.content, line, context))
+        words = " ".join(token.content.split())
+        token.children = list(role.inline(words, line, context))
         token.content = plain_text(token)
         return
     if role.text is None:
@@ -123,7 +130,7 @@ def _set_link(token: Token, line: int, context: ParseContext) -> None:
 
 def _gather_link(token: Token, line: int, context: ParseContext) -> None:
     """Record the author's target; point the token at the page that will be built from it."""
-    target = str(token.attrGet("href") or "")
+    target = str(token.attrGet("href") or "").removeprefix("./")
     if target.startswith(("https://", "http://")):
         token.attrSet("rel", "external")
         return
@@ -152,7 +159,7 @@ def _drop_html(token: Token, line: int, context: ParseContext) -> None:
 def _open_role(token: Token, line: int, context: ParseContext) -> None:
     names = (*ROLE_NAMES, *context.shared.colours)
     if token.info not in names:
-        context.problem(line, unknown("role", token.info, names))
+        context.problem(line, unknown_name("role", token.info, names))
     elif "role" in token.meta:
         _set_link(token, line, context)
 
@@ -175,6 +182,11 @@ def _refuse_bare_roles(token: Token, line: int, context: ParseContext) -> None:
     for name in BARE_ROLE.findall(token.content):
         if name in ROLE_NAMES or name in context.shared.colours:
             context.problem(line, f"'{{{name}}}' alone is no role; legal: '{{{name}}}`words`'")
+    works = context.shared.bibliography
+    for bracket, key in BARE_KEY.findall(token.content):
+        if meant := key if key in works or bracket else nearest(key, works, 0.8):
+            message = f"'{bracket}@{key}' cites nothing; legal: '{{citet}}`{meant}`'"
+            context.problem(line, message, spoils=(f"work {meant!r} is cited nowhere",))
 
 
 def _refuse_picture(_token: Token, line: int, context: ParseContext) -> None:

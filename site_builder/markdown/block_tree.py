@@ -55,7 +55,8 @@ def _checked_options(
         elif not directive.more_options:
             fault = unknown(f"option of {{{call.name}}}", name, declared)
         if fault:
-            context.problem(given.line, fault)
+            spoils = (f"unknown target {given.text!r}", f"{call.name} {call.argument!r}")
+            context.problem(given.line, fault, spoils=spoils)
         else:
             options[name] = given
     for option in directive.options:
@@ -140,7 +141,7 @@ def _read_directive(element: Sequence[Token], context: ParseContext) -> Block | 
     try:
         content = directive.read(expected, body, context) if expected else None
     except CodeError as error:
-        context.problem(call.line, str(error), raised_by_code(error))
+        context.problem(call.line, str(error), raised_by_code(error), UNREAD)
         return None
     if content is None:
         return None

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import yaml
 from markdown_it.token import Token
 
-from site_builder.diagnostics.diagnostic import Diagnostics, unknown
+from site_builder.diagnostics.diagnostic import Diagnostics, nearest, unknown
 from site_builder.document.book import Chapter
 from site_builder.document.places import Formula, Need, Reference, Target, Targets
 from site_builder.files.text import CONTROL, control_character_message
@@ -89,7 +89,9 @@ def _by_key(root: yaml.MappingNode, context: ParseContext) -> dict[str, yaml.Nod
     nodes: dict[str, yaml.Node] = {}
     for key, value in root.value:
         if key.value not in KEYS:
-            context.problem(_line_of(key), unknown("front matter key", str(key.value), KEYS))
+            message = unknown("front matter key", str(key.value), KEYS)
+            spoils = (f"front matter without {nearest(str(key.value), KEYS)!r}",)
+            context.problem(_line_of(key), message, spoils=spoils)
             continue
         if key.value in nodes:
             context.problem(_line_of(key), f"{key.value!r} is given twice; legal: once")

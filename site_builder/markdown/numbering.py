@@ -12,17 +12,21 @@ import unicodedata
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from html import unescape
 from typing import Any
 
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
+from site_builder.diagnostics.diagnostic import TARGETS
 from site_builder.document.places import Heading, Target, passage
 from site_builder.markdown.directive import LABEL, Directive, DirectiveCall
 from site_builder.markdown.parse_context import FigurePlace, ParseContext
 from site_builder.markdown.text.tokens import plain_text
 
 GIVEN = re.compile(r"\s*(?<!\\)\{([#.][^\s{}][^{}]*)\}\s*$")
+BEHIND = re.compile(r"(?:\{[\w .-]+\}|\([#.][\w-]+\))$")
+"""What others write, or what is misspelt, behind a heading."""
 ATTRIBUTES = re.compile(r"(?:#(?P<id>\S+)\s*)?(?P<deeper>\.deeper)?\s*")
 LEGAL_ATTRIBUTES = "legal: '{#id}', '{.deeper}' or '{#id .deeper}'"
 DEEPER_LEVELS = (2, 3)
@@ -48,16 +52,27 @@ def list_headings(tokens: Sequence[Token], context: ParseContext) -> None:
             continue
         line, level = (opening.map or [0])[0] + 1, int(opening.tag[1])
         text = plain_text(inline)
-        closing.meta["title"] = text
+        closing.meta["title"] = "".join(map(_said, inline.children or ())).strip()
         if not text:
             context.problem(line, "heading without words; legal: '## Some words'")
+        if found := BEHIND.search(text):
+            message = f"{found[0]!r} behind a heading, which shows it; {LEGAL_ATTRIBUTES}"
+            context.problem(line, message, spoils=TARGETS)
         if opening.markup in ("-", "="):
             expected = f"'## {text}', or an empty line above the rule"
             context.problem(line, f"{text!r} underlined is a heading; legal: {expected}")
-        _check_level(level, text, line, context)
+        else:
+            _check_level(level, text, line, context)
         name = str(opening.attrGet("id"))
         words, folded = passage(_without_links(inline)), bool(opening.meta["folded"])
         context.headings.append(Heading(level, name, words, deeper=folded))
+
+
+def _said(child: Token) -> str:
+    """Its words, of a formula those for screen readers."""
+    mathml = str(child.meta.get("mathml", ""))
+    words = re.search(r'alttext="([^"]*)"', mathml)
+    return unescape(words[1] if words else re.sub("<[^>]*>", "", mathml)) or child.content
 
 
 def _check_level(level: int, text: str, line: int, context: ParseContext) -> None:
@@ -82,6 +97,9 @@ def _without_links(inline: Token) -> list[Token]:
     return [Token("inline", "", 0, children=children)]
 
 
+NO_SLUG = "section"
+
+
 def slug(text: str) -> str:
     """Words of a heading as an id: lower case, letters with their marks and digits, joined by
     hyphens.
@@ -91,7 +109,7 @@ def slug(text: str) -> str:
     """
     letters = unicodedata.normalize("NFC", text.lower())
     kept = (c if c.isalnum() or unicodedata.category(c)[0] == "M" else "-" for c in letters)
-    return re.sub("-+", "-", "".join(kept)).strip("-") or "section"
+    return re.sub("-+", "-", "".join(kept)).strip("-") or NO_SLUG
 
 
 LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
@@ -177,7 +195,7 @@ class _Numbering:
         opening, inline, closing = tokens
         line, text = (opening.map or [0])[0] + 1, plain_text(inline)
         self._read_attributes(opening, line)
-        name = self.context.take_id(self._heading_id(opening, text, line), line, "heading")
+        name = self._heading_id(opening, text, line)
         opening.attrSet("id", name)
         shown = self.context.shared.words("labels.section", title=text)
         target = Target(
@@ -221,12 +239,15 @@ class _Numbering:
         if given and slug(given) != given:
             expected = "small letters, digits and hyphens"
             self.context.problem(line, f"heading id {given!r}; legal: {expected}")
-        return given or slug(text)
+        if not given and slug(text) == NO_SLUG:
+            return self.context.free_id(NO_SLUG, line)
+        return self.context.take_id(given or slug(text), line, "heading")
 
     def _labelled(self, label: str, line: int, kind: str) -> str:
         if not LABEL_FORM.fullmatch(label) or len(label) > LONGEST:
             expected = f"small letters, digits and hyphens, at most {LONGEST}"
-            self.context.problem(line, f"label {label!r}; legal: {expected}")
+            spoils = (f"unknown target {slug(label)!r}", f"did you mean {label!r}")
+            self.context.problem(line, f"label {label!r}; legal: {expected}", spoils=spoils)
         return self.context.take_id(label, line, kind)
 
     def _count(

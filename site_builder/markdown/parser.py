@@ -1,7 +1,7 @@
 """The Markdown of the book: CommonMark and what is added to it, in order. Each rule has a file."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from types import MappingProxyType
 from typing import Any
@@ -20,7 +20,7 @@ from site_builder.markdown.directives.boxes import book_boxes
 from site_builder.markdown.numbering import heading_ids_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
-from site_builder.markdown.text.dialects import dialects_rule, unknown_directive
+from site_builder.markdown.text.dialects import dialects_rule, own_label, unknown_name
 from site_builder.markdown.text.stray_marks import UNOPENED, stray_marks_rule
 from site_builder.markdown.text.tokens import displays_rule, typography_rule
 
@@ -79,9 +79,10 @@ def directive_rule(
             f"{{{name}}} is empty",
             *TARGETS,
         )
-    options, body = _read_options(state, start + 1, last)
+    known = [option.name for option in directives[name].options] if name in directives else []
+    options, body = _read_options(state, start + 1, last, known)
     if name not in directives:
-        _complain(state, start, unknown_directive(name, directives), *UNREAD, *TARGETS)
+        _complain(state, start, unknown_name("directive", name, directives), *UNREAD, *TARGETS)
         body = last  # what it would mean is not known
     call = DirectiveCall(name, argument.strip(), options, start + 1)
     _push(state, directives.get(name), call, body, last)
@@ -93,7 +94,7 @@ def _stray(text: str) -> str:
     if CLOSING.fullmatch(text):
         return f"{text!r} closes no directive; legal: after an opening like ':::{{note}}'"
     if callout := re.search(r"\{\.callout-(\w+)", text):
-        return unknown_directive(f"callout-{callout[1]}", ("note", "tip", "warning"))
+        return unknown_name("directive", f"callout-{callout[1]}", ("note", "tip", "warning"))
     return f"{text!r} is no directive; legal: ':::{{name}} argument'"
 
 
@@ -115,14 +116,23 @@ def _find_end(state: StateBlock, start: int, end: int, length: int) -> tuple[int
     return end, bool(code)
 
 
-def _read_options(state: StateBlock, start: int, end: int) -> tuple[dict[str, OptionValue], int]:
+def _read_options(
+    state: StateBlock, start: int, end: int, known: Sequence[str]
+) -> tuple[dict[str, OptionValue], int]:
     options: dict[str, OptionValue] = {}
     for line in range(start, end):
-        match = OPTION.fullmatch(_line(state, line))
+        text = _line(state, line)
+        match = OPTION.fullmatch(text)
+        if not match and text.partition(":")[0] in known:
+            match = OPTION.fullmatch(f":{text}")
+            _complain(
+                state, line, f"option {text!r} without its first colon; legal: {f':{text}'!r}"
+            )
         if not match:
             return options, line
         name, value = match.groups()
-        name = "label" if name == "name" else name  # as MyST calls it
+        if name in ("name", "label"):  # as MyST calls and writes it
+            name, value = "label", own_label(value) if re.search("[:_.]", value) else value
         if name in options:
             _complain(state, line, f"option {name!r} is given twice; legal: once")
         options[name] = OptionValue(value.strip(), line + 1)

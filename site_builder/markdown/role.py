@@ -9,8 +9,8 @@ from markdown_it.token import Token
 
 from site_builder.markdown.parse_context import ParseContext
 
-USE = re.compile(r"\{([\w-]+)\}`([^`\n]+)`")
-MEANT = re.compile(r"(.*?)\s*(?:<([^<>]*)>)?")
+USE = re.compile(r"\{([\w:-]+)\}`([^`\n]+(?:\n[^`\n]+)?)`")
+MEANT = re.compile(r"(.*?)\s*(?:<([^<>]*)>)?", re.DOTALL)
 """Words of a link, and what stands behind them in ``<…>``."""
 
 
@@ -74,9 +74,9 @@ def _push_link(role: Role, match: re.Match[str], state: StateInline) -> None:
     """``role_open`` and ``role_close`` around the words, which may hold formulae and emphasis."""
     meant = MEANT.fullmatch(match[2])
     assert meant  # any words fit
-    words, given = meant.groups()
+    words, given = (part and " ".join(part.split()) for part in meant.groups())
     token = state.push("role_open", "a", 1)
-    inside = state.md.inline.parse(words, state.md, state.env, [])
+    inside = state.md.inline.parse(meant[1], state.md, state.env, [])
     token.info = role.name
     token.meta = {"role": role, "words": words, "given": given, "inside": inside}
     state.tokens.extend(inside)

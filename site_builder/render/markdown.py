@@ -14,7 +14,8 @@ from site_builder.document.places import Passage, Target
 from site_builder.formulae.temml import plain_tex
 from site_builder.markdown.text.code import PARTS
 
-SPECIAL = re.compile(r"([\\`*_\[\]<$~])")
+SPECIAL = re.compile(r"(https?://[\w./~-]+)|([\\`*_\[\]<$~])")
+"""Addresses, which notebooks make links as they stand, and marks."""
 AT_START = re.compile(r"^(?=(?:[-+>]|#+|=+)(?:\s|$))|^(?<=)(\d+)(?=[.)]\s)", re.MULTILINE)
 """What would begin a list, a heading or a quotation."""
 MATHS = re.compile(r"((?<!\\)\$[^$]+\$)")
@@ -122,7 +123,7 @@ class MarkdownRenderer:
 
 def escaped(text: str) -> str:
     """Text that Markdown takes as it is."""
-    return SPECIAL.sub(r"\\\1", text)
+    return SPECIAL.sub(lambda found: found[1] or f"\\{found[2]}", text)
 
 
 def code(text: str) -> str:

@@ -258,7 +258,8 @@ def _rows(of: type[Any], prefix: str) -> Iterator[tuple[str, str, str]]:
             yield from _rows(item.kind.table, f"{name}.")
         else:
             expected = item.kind.expected
-            legal = f"`{expected}`" if expected[0] in '"[' else expected
+            example = re.sub(", (.+ = .+)", r", `\1`", expected)
+            legal = f"`{expected}`" if expected[0] in '"[' else example
             yield f"`{name}`", f"{item.doc}: {legal}", _default(item)
 
 

@@ -118,11 +118,10 @@ def _prompt(call: DirectiveCall, prompt: Sequence[Token], context: ParseContext)
         elif token.type in ("math_block", "math_block_label"):
             shown.append([Token("math_inline", "math", 0, content=token.content, meta=token.meta)])
         elif token.type not in ("paragraph_open", "paragraph_close"):
-            context.problem(
-                call.line,
-                f"the question of quiz {call.argument!r} holds more than text and formulae; "
-                "legal: put it above the quiz",
-            )
+            quiz = f"quiz {call.argument!r}"
+            message = f"the question of {quiz} holds more than text and formulae"
+            message += "; legal: put it above the quiz, or answers as one list"
+            context.problem(call.line, message, spoils=(f"{quiz} has",))
             break
     first, *others = shown or [[]]
     lines = [*first]

@@ -1,9 +1,9 @@
 """``{cite}`zhang2000; hartley2004, §4.4```: the works behind a claim, linked to the references;
 ``{ref}``, ``{term}`` and ``{index}``; and ``{ray}`the ray```: words in the colour of their idea.
 
-Works are parted by semicolons; what follows the key and a comma says where in the work. ``{cite}``
-sets all in brackets, (Zhang 2000); ``{citet}`` makes the authors a part of the sentence, Zhang
-(2000).
+Works are parted by semicolons, or by commas; what follows the key and a comma and is no key says
+where in the work. ``{cite}`` sets all in brackets, (Zhang 2000); ``{citet}`` makes the authors a
+part of the sentence, Zhang (2000).
 """
 
 import re
@@ -18,7 +18,7 @@ from site_builder.formulae.temml import COLOURS as NAMES
 from site_builder.markdown.numbering import slug
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Linked, Role
-from site_builder.references.bibliography import Work
+from site_builder.references.bibliography import Work, Works
 from site_builder.references.terms import Term
 
 FORM = "KEY[, PLACE]; …"
@@ -30,8 +30,7 @@ def cited(
     """``(Zhang 2000; Hartley and Zisserman 2004, §4.4)``; ``Zhang (2000)`` ``in_sentence``."""
     works = context.shared.bibliography
     tokens: list[Token] = []
-    for part in words.split(";"):
-        key, _, place = (piece.strip() for piece in part.partition(","))
+    for key, place in _keys(words, works):
         if key not in works:
             meant = nearest(key, works)
             spoils = (f"work {meant!r} is cited nowhere" if meant else "is cited nowhere",)
@@ -44,6 +43,24 @@ def cited(
         else:
             tokens += [*_link(works[key], f"{who} {year}", line, context), _text(where)]
     return tokens if in_sentence else [_text("("), *tokens, _text(")")]
+
+
+KEY = re.compile(r"(?!(?:pp?|figs?|eqs?|secs?|chaps?|nos?|vols?)\b)[A-Za-z][\w:+-]*\d{2}[a-z]*")
+"""What a key looks like, and no place in a work."""
+
+
+def _keys(words: str, works: Works) -> Iterator[tuple[str, str]]:
+    """Each key with what is said of a place in its work."""
+    for part in words.split(";"):
+        key, *others = (piece.strip() for piece in part.split(","))
+        places: list[str] = []
+        for other in others:
+            if other in works or KEY.fullmatch(other) or nearest(other, works, 0.8):
+                yield key, ", ".join(places)
+                key, places = other, []
+            else:
+                places.append(other)
+        yield key, ", ".join(places)
 
 
 def _link(work: Work, words: str, line: int, context: ParseContext) -> Iterator[Token]:
@@ -81,7 +98,8 @@ CITES = (
 """The names are those of natbib's commands, as MyST and others have taken them up."""
 
 
-PLACEHOLDER = re.compile(r"\{(\w+)\}")
+PLACEHOLDER = re.compile(r"\{(\w+)\}|%s")
+"""``%s``, as Sphinx has it, is the number that the target has itself."""
 
 
 def reference(words: str, given: str | None, line: int, context: ParseContext) -> Linked:
@@ -100,7 +118,7 @@ def reference(words: str, given: str | None, line: int, context: ParseContext) -
         return Linked({})
     return Linked(
         _attributes(target, chapter, context),
-        lambda text: PLACEHOLDER.sub(lambda found: filled[found[1]], text),
+        lambda text: PLACEHOLDER.sub(lambda found: filled[found[1] or "%s"], text),
     )
 
 
@@ -130,14 +148,18 @@ def _filled(words: str, target: Target, chapter: Target) -> Mapping[str, str]:
     """What stands for each placeholder. Raises `LookupError`."""
     values = {
         "name": target.name,
+        "%s": target.number,
         "number": target.number or chapter.number,
         "title": target.title,
         "chapter": chapter.name,
     }
     expected = {name: value for name, value in values.items() if value}
-    for name in PLACEHOLDER.findall(words):
+    for found in PLACEHOLDER.finditer(words):
+        name = found[1] or "%s"
         if name not in expected:
-            raise LookupError(unknown(f"part of a reference to {target.name}", name, expected))
+            legal = [f"{{{name}}}" for name in expected if name != "%s"]
+            kind = f"part of a reference to {target.name}"
+            raise LookupError(unknown(kind, found[0], legal))
     return expected
 
 

@@ -14,12 +14,15 @@ from site_builder.files.text import CONTROL, control_character_message
 from site_builder.markdown.text.tokens import children_located
 
 NOT_KEPT = "may change; better: '{ref}`TARGET`', or a citation"
+NO_TEX = "outside of a formula; legal: Markdown, '{cite}`key`', '{ref}`TARGET`', or in '$…$'"
+NO_BREAK = r"outside of a formula; legal: '\' alone, which ends a line"
 NO_ID = "means nothing here; legal: ':label: name' in a directive, '(name)=' above a heading"
 SLIPS = tuple(
     (re.compile(pattern), expected)
     for pattern, expected in (
         (r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
         (r"((?:\{[\w-]+\})?`+)", "is never closed; legal: a second '`' in the same paragraph"),
+        (r"(?<![\w*])(\*)(?=\w)", r"begins no emphasis; legal: '*…*', or '\*' for the star"),
         (r"(\*\*)", r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars"),
         (r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
         (r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])", "leads nowhere; legal: '[words](NN-slug.md)'"),
@@ -28,7 +31,6 @@ SLIPS = tuple(
             r"|(?:[Ff]igure|[Tt]able|[Ee]quation|[Ee]xample|[Qq]uestion) \(?[A-Z\d]+\.\d+\)?)",
             "is a number that may change; legal: '{ref}`TARGET`', or a citation",
         ),
-        (r"(\[-?@[^\]\n]+\])", "means nothing here; legal: '{cite}`key`'"),
         (
             r"((?<![\w@.])@(?:fig|tbl|sec|eq|lst)-[\w-]+)",
             "means nothing here; legal: '{ref}`TARGET`'",
@@ -43,7 +45,7 @@ SLIPS = tuple(
         (
             r"(\{\{[^}\n]*\}\}|(?<!\\)\{(?:#(?![\w:.-]+\})|\.[\w:-])[^}\n]*\}?"
             r"|~~[^~\s][^~\n]*~~|==[^=\s](?:[^=\n]*[^=\s])?==|\[\[[^\]\n]+\]\]|\[!\w+\]"
-            r"|&[A-Za-z][A-Za-z0-9]+;)",
+            r"|&[A-Za-z][A-Za-z0-9]+;|\{[%:][^}\n]*\}|%%[^%\n]+%%|\]\{[\w-]+=[^}\n]*\})",
             "means nothing here; legal: CommonMark, directives and roles",
         ),
     )
@@ -71,13 +73,21 @@ LINE_SLIPS = tuple(
             "is no option here; legal: ':name: value' below the opening line of a directive",
         ),
         (r"(\d\d?[.)] \S[^\n]*)", "begins no list; legal: an empty line above it"),
+        (r"([•◦▪‣·]\s)", "begins no list; legal: '- '"),
+        (r"(!!! \w+|\?\?\?\+? \w+|\.\. [\w-]+::)", NO_DIRECTIVE),
+        (r"(\[TOC\]|–8<–.*)", "means nothing here; legal: CommonMark, directives and roles"),
     )
 )
 """Likewise at the start of a line."""
+LETTERED = r"(?:\(\w{1,3}\)|[a-z][.)])"
 OUTSIDE_LISTS = (
     (
-        re.compile(r"^(: \S.*)", re.MULTILINE),
+        re.compile(r"^([:~] \S.*)", re.MULTILINE),
         "defines nothing here; legal: content/glossary.toml, or '**word**: …'",
+    ),
+    (
+        re.compile(rf"^({LETTERED} \S.*)\n{LETTERED} ", re.MULTILINE),
+        "begins no list; legal: '1. …' with an empty line above",
     ),
 )
 """Likewise, but not in the answers of questions, which are explained so."""
@@ -111,7 +121,8 @@ def stray_marks_rule(state: StateCore) -> None:
                 if token.content.startswith("|"):
                     head = token.content.partition("\n")[0]
                     expected = "one '---' below each of its heads"
-                    problems.append((line, f"{head!r} begins no table; legal: {expected}"))
+                    message = f"{head!r} begins no table; legal: {expected}"
+                    problems.append((line, message, "{table} holds no table"))
                 problems += _in_paragraph(token, line, doubts)
             case "code_block":
                 problems.append((line, "indented text; legal: at the margin, or between '```'"))
@@ -128,7 +139,10 @@ def _in_paragraph(
     inline: Token, line: int, doubts: list[tuple[int, str]]
 ) -> Iterator[tuple[Any, ...]]:
     above = 0
-    for child, place in children_located(inline, line):
+    behind = [*(inline.children or ())[1:], None]
+    for (child, place), after in zip(children_located(inline, line), behind, strict=False):
+        if child.type == "text_special" and (command := _command(child, after)):
+            yield place, f"{quoted(command)} {NO_TEX if command[1:].strip('\\') else NO_BREAK}"
         for text in (child.content, *map(str, child.attrs.values())):
             if written := CONTROL.search(text):  # as an entity
                 yield place, control_character_message(written[0])
@@ -144,9 +158,19 @@ def _in_paragraph(
         above = place
 
 
+def _command(escape: Token, after: Token | None) -> str:
+    """The command of TeX that begins with this backslash, or ends the line; nothing for others."""
+    if after is None or after.type == "softbreak":
+        return escape.markup if escape.markup == r"\\" else ""
+    name = re.match(r"[A-Za-z]+\*?(?:\{[^}\n]*\})?", after.content)
+    command = escape.content + (name[0] if name else "")
+    is_end = command.startswith(r"\end{")  # of what is reported
+    return command if name and escape.content[1:].isalpha() and not is_end else ""
+
+
 def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
     first, end = fence.map or [0, 0]
-    return end - first > 1 and lines[end - 1].strip(" >").startswith(fence.markup)
+    return end - first > 1 and lines[end - 1].strip(" \t>").startswith(fence.markup)
 
 
 def _in_table(table: Token, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
