@@ -92,7 +92,7 @@ def frame_of(name: str) -> tuple[float, float, float, float]:
 def family_handle_place(name: str) -> Point:
     """The handle of a family, below its degrees of freedom."""
     _, top, right, _ = frame_of(name)
-    return right - 32.0, top + 37.0
+    return right - 32.0, top + 40.0
 
 
 @cache
@@ -195,7 +195,7 @@ def corner_pulled(settings: Settings, place: Point) -> dict[str, float]:
 def family_pulled(_settings: Settings, place: Point) -> dict[str, str]:
     """The smallest family whose frame contains the place, the largest outside of all; places up to
     half way between two marks belong to the lower one."""
-    x, y = place[0], place[1] - 11.0
+    x, y = place[0], place[1] - 14.0
     for name in RUNGS:
         left, top, right, bottom = frame_of(name)
         if left <= x <= right and top <= y <= bottom:
