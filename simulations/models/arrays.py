@@ -75,6 +75,14 @@ def through_matrix(matrix: ArrayLike, colours: ArrayLike) -> Floats:
         return values @ np.asarray(matrix, values.dtype).T
 
 
+def gathered(planes: NDArray[Any], numbers: NDArray[np.integer]) -> NDArray[Any]:
+    """``planes[:, numbers]``, plane by plane, which a browser does twice as fast."""
+    found = np.empty((len(planes), *numbers.shape), planes.dtype)
+    for plane, values in zip(planes, found, strict=True):
+        values[...] = plane[numbers]
+    return found
+
+
 def centred(count: int) -> Floats:
     """Centres (count,) of a row of pixels, from the middle of the row: whole numbers or halves."""
     return np.arange(count) - 0.5 * (count - 1)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import Floats, Planes
+from simulations.models.arrays import Floats, Planes, gathered
 
 type Bounds = tuple[float, float, float, float]
 """u from, to, v from, to: metres."""
@@ -74,12 +74,12 @@ class Rectangles:
         left, bottom = u - half * wide, v - half * high
         right, top = left + wide, bottom + high
         column, row = self.u.cells(left), self.v.cells(bottom)
-        several = (right > self.u.ends.take(column)) | (top > self.v.ends.take(row))
+        several = (right > self.u.ends[column]) | (top > self.v.ends[row])
         column *= len(self.v.edges) - 1
         column += row
-        colours = self.colours.take(column, axis=1)
+        colours = gathered(self.colours, column)
         if (at := np.flatnonzero(several)).size:
-            means = self._over_edges(*(end.take(at) for end in (left, right, bottom, top)))
+            means = self._over_edges(*(end[at] for end in (left, right, bottom, top)))
             for plane, mean in zip(colours, means, strict=True):
                 plane[at] = mean
         return colours
@@ -91,12 +91,12 @@ class Rectangles:
         last_column, last_row = self.u.cells(right), self.v.cells(top)
         count = len(self.v.edges) - 1
         first, beside, above, across = (
-            self.colours.take(i * count + j, axis=1)
+            gathered(self.colours, i * count + j)
             for j in (row, last_row)
             for i in (column, last_column)
         )
-        share_u = np.clip((right - self.u.ends.take(column)) / (right - left), 0, 1)
-        share_v = np.clip((top - self.v.ends.take(row)) / (top - bottom), 0, 1)
+        share_u = np.clip((right - self.u.ends[column]) / (right - left), 0, 1)
+        share_v = np.clip((top - self.v.ends[row]) / (top - bottom), 0, 1)
         low = first + share_u * (beside - first)
         high = above + share_u * (across - above)
         means = low + share_v * (high - low)
@@ -110,8 +110,9 @@ class Rectangles:
         (s, column), (t, row) = self.u.ends_of(left, right), self.v.ends_of(bottom, top)
         cells = column[:, None] * (len(self.v.edges) - 1) + row
         area = (s[1] - s[0]) * (t[1] - t[0])
-        s, t = (s - self.u.edges.take(column))[:, None], t - self.v.edges.take(row)
-        once, by_s, by_t, by_both = self.integrals.take(cells, axis=-1)  # (channels, 2, 2, n)
+        s, t = (s - self.u.edges[column])[:, None], t - self.v.edges[row]
+        rows = gathered(self.integrals.reshape(-1, self.integrals.shape[-1]), cells)
+        once, by_s, by_t, by_both = rows.reshape(4, -1, *cells.shape)
         corners = once + s * by_s + t * (by_t + s * by_both)
         total = corners[:, 1, 1] - corners[:, 1, 0] - corners[:, 0, 1] + corners[:, 0, 0]
         return (total / area).astype(np.float32)

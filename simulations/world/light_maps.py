@@ -14,7 +14,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from simulations.models.arrays import Floats, Planes
+from simulations.models.arrays import Floats, Planes, gathered
 from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.soft_shadows import bounding_radius, smooth_ramp
 from simulations.world.furniture import HIGH, LOW, ROOM, WALLS
@@ -73,32 +73,32 @@ class LightMap:
         """Shares (2, n) at points (3, n) of flat surfaces (n,)."""
         x, y, z = points
         a, b = (
-            row[0].take(surface) * x
-            + row[1].take(surface) * y
-            + row[2].take(surface) * z
-            + row[3].take(surface)
+            row[0][surface] * x
+            + row[1][surface] * y
+            + row[2][surface] * z
+            + row[3][surface]
             for row in self.to_place
         )
         return self._between_nodes(surface, a, b)
 
     def on_ball(self, surface: Numbers, _points: Floats, normals: Floats) -> Floats:
         """Shares (2, n) at points of balls (n,) that have normals (3, n)."""
-        a, b = octahedral(normals) * self.to_place[0, 0].take(surface)
+        a, b = octahedral(normals) * self.to_place[0, 0][surface]
         return self._between_nodes(surface, a, b)
 
     def _between_nodes(self, surface: Numbers, a: Floats, b: Floats) -> Floats:
-        last_a, last_b = self.last.take(surface, axis=1)
+        last_a, last_b = gathered(self.last, surface)
         a, b = np.clip(a, 0, last_a), np.clip(b, 0, last_b)
-        row, column, across = np.floor(a), np.floor(b), self.across.take(surface)
+        row, column, across = np.floor(a), np.floor(b), self.across[surface]
         a -= row
         b -= column
         row *= across  # whole numbers, exact in float32 up to 16 million
         row += column
-        row += self.first.take(surface)
+        row += self.first[surface]
         node = row.astype(np.intp)
-        low = _between(self.shares.take(node, axis=1), self.shares.take(node + 1, axis=1), b)
+        low = _between(gathered(self.shares, node), gathered(self.shares, node + 1), b)
         node += across.astype(np.intp)
-        high = _between(self.shares.take(node, axis=1), self.shares.take(node + 1, axis=1), b)
+        high = _between(gathered(self.shares, node), gathered(self.shares, node + 1), b)
         shares = _between(low, high, a)
         shares[0] = smooth_ramp(shares[0])
         return shares

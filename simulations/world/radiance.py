@@ -8,7 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from simulations.models.arrays import Floats, Mask, Planes
+from simulations.models.arrays import Floats, Mask, Planes, gathered
 from simulations.models.light.raycasting import Sphere
 from simulations.models.light.reflectance import blinn_phong
 from simulations.pictures.patterns import NARROWEST, stripes
@@ -101,11 +101,11 @@ def surface_finish() -> Finish:
 def normals_of(surface: Surfaces, points: Floats) -> Planes:
     """(3, H, W) unit normals of surfaces (H, W) at points (H, W, 3) in metres."""
     looks = surface_finish()
-    normals = looks.normals.take(surface, axis=1)
+    normals = gathered(looks.normals, surface)
     ball = surface >= FIRST_BALL
     balls = surface[ball]
-    centres = looks.centres.take(balls, axis=1)
-    normals[:, ball] = (points[ball].T - centres) / looks.radii.take(balls)
+    centres = gathered(looks.centres, balls)
+    normals[:, ball] = (points[ball].T - centres) / looks.radii[balls]
     return normals
 
 
@@ -129,11 +129,11 @@ class Samples:
     def at(self, numbers: Numbers) -> "Samples":
         return Samples(
             camera=self.camera,
-            x=self.x.take(numbers),
-            y=self.y.take(numbers),
-            depth=self.depth.take(numbers),
-            width=self.width.take(numbers),
-            surface=self.surface.take(numbers),
+            x=self.x[numbers],
+            y=self.y[numbers],
+            depth=self.depth[numbers],
+            width=self.width[numbers],
+            surface=self.surface[numbers],
         )
 
 
@@ -185,12 +185,12 @@ def _radiance_of_wall(
     near = (across > left) & (across < right) & (along > bottom) & (along < top)
     if (at := np.flatnonzero(near)).size:
         points = np.zeros((3, at.size), np.float32)
-        across.take(at, out=points[u])
-        along.take(at, out=points[v])
+        points[u] = across[at]
+        points[v] = along[at]
         lamp_share, sky_share = arriving.on_flat(np.array([wall]), points, normal[:, None])
         for channel, plane in enumerate(colours):
             arriving_light = direct[channel] * lamp_share + around[channel] * sky_share
-            plane[at] = means[channel].take(at) * arriving_light
+            plane[at] = means[channel][at] * arriving_light
     if len(means) > 3:
         colours += sky[:, None] * means[3]
     return colours
@@ -222,19 +222,19 @@ def _radiance_of_things(samples: Samples, arriving: ArrivingLight, lighting: Lig
     directions = samples.camera.directions(samples.x, samples.y)
     points = directions * samples.depth
     points += samples.camera.eye.astype(np.float32)[:, None]
-    normals, colours = looks.normals.take(surface, axis=1), looks.albedo.take(surface, axis=1)
+    normals, colours = gathered(looks.normals, surface), gathered(looks.albedo, surface)
     shares, ball = np.empty((2, surface.size), np.float32), surface >= FIRST_BALL
     if (boxes := np.flatnonzero(~ball)).size:
-        hits, facing = points.take(boxes, axis=1), normals.take(boxes, axis=1)
+        hits, facing = gathered(points, boxes), gathered(normals, boxes)
         shares[:, boxes] = arriving.on_flat(surface[boxes], hits, facing)
     if (balls := np.flatnonzero(ball)).size:
-        numbers, hits = surface[balls], points.take(balls, axis=1)
-        outwards = (hits - looks.centres.take(numbers, axis=1)) / looks.radii.take(numbers)
+        numbers, hits = surface[balls], gathered(points, balls)
+        outwards = (hits - gathered(looks.centres, numbers)) / looks.radii[numbers]
         normals[:, balls] = outwards
         shares[:, balls] = arriving.on_ball(numbers, hits, outwards)
     for item, first in NUMBERED:
         if item.second_albedo and (at := np.flatnonzero(surface == first)).size:
-            vectors = (part.take(at, axis=1) for part in (directions, normals))
+            vectors = (gathered(part, at) for part in (directions, normals))
             colours[:, at] = _striped(item, samples.at(at), *vectors)
     return _shaded(surface, directions, normals, colours, shares, lighting)
 
@@ -253,19 +253,19 @@ def _shaded(
     direct += upright * shares[1]
     direct += gain * (normals[2] * shares[1])
     direct *= colours
-    gloss = surface_finish().gloss.take(surface)
+    gloss = surface_finish().gloss[surface]
     if (at := np.flatnonzero(gloss)).size:
-        to_eye = -directions.take(at, axis=1)
+        to_eye = -gathered(directions, at)
         to_eye /= np.sqrt(np.einsum("in,in->n", to_eye, to_eye))
         highlight = blinn_phong(
-            normals.take(at, axis=1).T,
+            gathered(normals, at).T,
             lighting.towards,
             to_eye.T,
             albedo=0.0,
-            specular=gloss.take(at),
-            shininess=surface_finish().shininess.take(surface.take(at)),
+            specular=gloss[at],
+            shininess=surface_finish().shininess[surface[at]],
         )
-        highlight *= shares[0].take(at)
+        highlight *= shares[0][at]
         for plane, colour in zip(direct, lamp, strict=True):
             plane[at] += colour * highlight
     return direct

@@ -200,7 +200,7 @@ def _of_list(
         columns = x[0, start:end]
         at = np.flatnonzero((columns >= left) & (columns <= right))
         at += start
-        yield (slice(None), at), x.take(at, axis=1), y.take(at, axis=1)
+        yield (slice(None), at), x[0, at][None], y[0, at][None]
 
 
 def _number(numbers: Surfaces, where: Mask, number: int) -> None:

@@ -83,12 +83,12 @@ def _draw_star(means: Planes, x: Floats, z: Floats, wide: Floats, high: Floats) 
     near = np.flatnonzero((np.abs(x) < STAR_M + wide) & (np.abs(z) < STAR_M + high))
     if not near.size:
         return
-    x, z = x.take(near), z.take(near)
-    pixel = np.float32(0.5) * (wide.take(near) + high.take(near))
+    x, z = x[near], z[near]
+    pixel = np.float32(0.5) * (wide[near] + high[near])
     disc = band(np.hypot(x, z), -STAR_M, STAR_M, pixel)
     ink = (disc * siemens_star(x, z, SPOKES, pixel)).astype(np.float32)
     for plane, colour in zip(means, INK.astype(np.float32), strict=True):
-        paper = plane.take(near)
+        paper = plane[near]
         plane[near] = paper + (colour - paper) * ink
 
 
