@@ -83,6 +83,19 @@ def gathered(planes: NDArray[Any], numbers: NDArray[np.integer]) -> NDArray[Any]
     return found
 
 
+def slopes(values: Floats) -> tuple[Floats, Floats]:
+    """The changes (H, W) per row and per column of values (H, W), at least two each way.
+
+    The same as `np.gradient`, whose checks take longer than its arithmetic on small pictures.
+    """
+    down, across = np.empty_like(values), np.empty_like(values)
+    for along, change in ((values, down), (values.T, across.T)):
+        np.subtract(along[2:], along[:-2], out=change[1:-1])
+        change[1:-1] *= 0.5
+        change[0], change[-1] = along[1] - along[0], along[-1] - along[-2]
+    return down, across
+
+
 def centred(count: int) -> Floats:
     """Centres (count,) of a row of pixels, from the middle of the row: whole numbers or halves."""
     return np.arange(count) - 0.5 * (count - 1)

@@ -7,7 +7,7 @@ pixel become their mean instead of moiré.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, slopes
 
 NARROWEST = 1e-6  # least width of a pixel, to avoid division by zero
 
@@ -59,7 +59,7 @@ def pixel_width(coordinate: Floats, area: bool = True) -> Floats:
     sample at the middle of the pixel, next to nothing."""
     if not area:
         return np.asarray(NARROWEST)
-    down, across = np.gradient(coordinate)
+    down, across = slopes(coordinate)
     return np.maximum(np.abs(down) + np.abs(across), NARROWEST)
 
 

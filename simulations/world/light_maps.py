@@ -73,10 +73,7 @@ class LightMap:
         """Shares (2, n) at points (3, n) of flat surfaces (n,)."""
         x, y, z = points
         a, b = (
-            row[0][surface] * x
-            + row[1][surface] * y
-            + row[2][surface] * z
-            + row[3][surface]
+            row[0][surface] * x + row[1][surface] * y + row[2][surface] * z + row[3][surface]
             for row in self.to_place
         )
         return self._between_nodes(surface, a, b)

@@ -100,7 +100,8 @@ def _object_surface(item: SceneObject, rays: WorldRays) -> Surface | None:
         facing = outwards / np.linalg.norm(outwards, axis=-1, keepdims=True)
     normals = _mean_normals(item.solid, rays, directions, facing)
     albedo, depth = object_albedo(item, facing, rays.area), object_depth(item) + rays.back
-    openness = sky_visibility(points, facing, OBJECTS)
+    others = [other for other in OBJECTS if other is not item]  # it hides nothing from itself
+    openness = sky_visibility(points, facing, others)
     rows, columns = window
     return Surface(
         item=item,

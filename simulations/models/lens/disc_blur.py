@@ -92,15 +92,16 @@ def summed(planes: Planes, kernel: Planes) -> Planes:
     processor's cache.
     """
     reach = kernel.shape[0] // 2
-    return np.stack([_summed_plane(plane, kernel[reach:, reach:]) for plane in planes])
+    padded = np.pad(planes, ((0, 0), (reach, reach), (reach, reach)), mode="edge")
+    return np.stack([_summed_plane(plane, kernel[reach:, reach:]) for plane in padded])
 
 
-def _summed_plane(plane: Planes, quarter: Planes) -> Planes:
-    """Convolve by the kernel's lower right quarter: four pixels share each product."""
+def _summed_plane(padded: Planes, quarter: Planes) -> Planes:
+    """Convolve a padded plane by the kernel's lower right quarter: four pixels share each
+    product."""
     reach = len(quarter) - 1
-    height, width = plane.shape
-    padded = np.pad(plane, reach, mode="edge")
-    total = np.zeros_like(plane)
+    height, width = (length - 2 * reach for length in padded.shape)
+    total = np.zeros((height, width), padded.dtype)
     for down, row in enumerate(quarter.tolist()):
         rows = padded[reach + down : reach + down + height]
         if down:

@@ -15,7 +15,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Mask, as_array, as_vectors
+from simulations.models.arrays import Floats, Mask, as_array, as_vectors, slopes
 from simulations.models.light.edge_coverage import ramp_coverage, straight_edge_coverage
 from simulations.models.require import require
 
@@ -229,7 +229,7 @@ def edge_coverage(margin: ArrayLike) -> Floats:
     if signed.ndim != 2 or min(signed.shape) < 2:
         raise ValueError(f"margin of shape {signed.shape}; legal: (H, W), both at least 2")
     with np.errstate(over="ignore", invalid="ignore"):
-        down, across = np.gradient(signed)
+        down, across = slopes(signed)
         slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)
         distance = signed / slope
     coverage = ramp_coverage(distance)  # 0 or 1, except for pixels that the edge crosses

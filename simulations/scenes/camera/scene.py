@@ -3,6 +3,7 @@ of camera, wedge of view, objects, and the planes in focus."""
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 
@@ -99,7 +100,7 @@ def plan(
     yield from in_focus(settings, half_tan, near, far)
     yield drawing.line((8.0, wall), (WIDTH - 8.0, wall), "world bold")
     yield drawing.text((10, wall - 7), f"wall, {WALL_DISTANCE + back:.3g} m", "world small")
-    yield from (swatch(item, back) for item in OBJECTS)
+    yield swatches(back)
     # The lamp's direction as an arrow to the middle of the still life, on a circle around it.
     start = lamp_at(settings)
     yield drawing.arrow(start, lamp_at(settings, None, 2.3), "light bold")
@@ -130,6 +131,11 @@ def in_focus(settings: Settings, half_tan: float, near: float, far: float) -> It
         label, baseline = f"{label}, behind the wall", wall - 7
     yield drawing.text((FOCUS_COLUMN - 16, baseline), label, "ray ground", "end")
     yield drawing.dot(mark, "ray")
+
+
+@lru_cache(maxsize=2)  # the same until the camera steps back
+def swatches(back: float) -> str:
+    return "".join(swatch(item, back) for item in OBJECTS)
 
 
 def swatch(item: SceneObject, back: float) -> str:
