@@ -60,17 +60,17 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     Clips to [0, 1] and takes NaN as 0. In the shadows, where the curve is steepest, an entry
     stands for 0.05 codes of 255: the table is off by half of that at most.
     """
-    return _table().take(_entries(linear), mode="clip")
+    return _table()[_entries(linear)]
 
 
 def encode_srgb_codes(linear: ArrayLike) -> NDArray[np.uint8]:
     """`encode_srgb_table` rounded to codes from 0 to 255."""
-    return _code_table().take(_entries(linear), mode="clip")
+    return _code_table()[_entries(linear)]
 
 
 def _entries(linear: ArrayLike) -> NDArray[np.intp]:
     """The entries (...) of linear light (...): int32 would be converted when they are taken. None
-    is out of range; "clip" only spares the check for it."""
+    is out of range."""
     place = np.asarray(np.maximum(as_floats(linear), 0))  # from here on in place: a new array
     if np.isnan(np.max(place, initial=0)):  # a cast of NaN to an index would be undefined
         np.fmax(place, 0, out=place)

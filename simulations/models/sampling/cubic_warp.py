@@ -76,8 +76,8 @@ def warp(table: CubicWarp, planes: Planes) -> Planes:
             for across in range(TAPS):
                 # Shifting the picture instead of the indices needs one index per output.
                 read = tap if across else into
-                np.take(flat[down * width + across :], table.corner, out=read, mode="clip")
-                read *= table.across[across]
+                values = flat[down * width + across :][table.corner]
+                np.multiply(values, table.across[across], out=read)
                 if across:
                     into += tap
             into *= table.down[down]

@@ -200,11 +200,9 @@ def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Flo
     for down_by, row_weight in enumerate(down):
         into = row if down_by else total
         for column, weight in enumerate(across):
-            # Shifting the picture instead of the indices needs one index per output. It is never
-            # out of range; "clip" only avoids a copy that "raise" makes.
+            # Shifting the picture instead of the indices needs one index per output.
             read = tap if column else into
-            np.take(flat[down_by * width + column :], corner, out=read, mode="clip")
-            read *= weight
+            np.multiply(flat[down_by * width + column :][corner], weight, out=read)
             if column:
                 into += tap
         into *= row_weight
