@@ -25,6 +25,9 @@ from simulations.models.require import require, require_positive
 CLIP_RANGE = 1e150
 """Largest coordinate that can be clipped: beyond, differences and products would overflow."""
 
+FEW = 32
+"""Numbers up to which Python compares them sooner than NumPy."""
+
 W_MINIMUM = 1e-12
 """Smallest usable w, relative to the terms whose sum it is."""
 
@@ -138,8 +141,11 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
     and coefficients that are not within `CLIP_RANGE`.
     """
     vertices = _in_range("polygon", _vertices(polygon))
-    coefficients = _in_range("line", as_array("line", line, 3))
-    side = (vertices @ coefficients[:2] + coefficients[2]).tolist()
+    return _clipped(vertices, _in_range("line", as_array("line", line, 3)), closed)
+
+
+def _clipped(vertices: Floats, line: Floats, closed: bool) -> Floats:
+    side = (vertices @ line[:2] + line[2]).tolist()
     if min(side, default=0.0) >= 0.0:
         return vertices.copy()
     clipped: list[Floats] = []
@@ -175,7 +181,7 @@ def clip_to_rectangle(
     if last < left or first > right or bottom < low or top > high:
         return vertices[:0].copy()
     for line in ((1, 0, -left), (-1, 0, right), (0, 1, -low), (0, -1, high)):
-        vertices = clip_half_plane(vertices, line, closed)
+        vertices = _clipped(vertices, np.array(line, float), closed)
     return vertices
 
 
@@ -213,6 +219,9 @@ def _vertices(polygon: ArrayLike) -> Floats:
 
 
 def _in_range(name: str, values: Floats) -> Floats:
-    legal = np.abs(values).max(initial=0.0) <= CLIP_RANGE
+    if values.size <= FEW:
+        legal = all(-CLIP_RANGE <= value <= CLIP_RANGE for value in values.ravel().tolist())
+    else:
+        legal = bool(np.abs(values).max(initial=0.0) <= CLIP_RANGE)
     require(name, values, legal, f"finite, at most {CLIP_RANGE:g} in size")
     return values
