@@ -83,6 +83,16 @@ def gathered(planes: NDArray[Any], numbers: NDArray[np.integer]) -> NDArray[Any]
     return found
 
 
+def last_axis_first(values: NDArray[Any]) -> NDArray[Any]:
+    """A view (n, ...) of values (..., n), sooner than by `np.moveaxis`."""
+    return values.transpose(-1, *range(values.ndim - 1))
+
+
+def first_axis_last(values: NDArray[Any]) -> NDArray[Any]:
+    """A view (..., n) of values (n, ...)."""
+    return values.transpose(*range(1, values.ndim), 0)
+
+
 def slopes(values: Floats) -> tuple[Floats, Floats]:
     """The changes (H, W) per row and per column of values (H, W), at least two each way.
 

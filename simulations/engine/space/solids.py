@@ -179,10 +179,10 @@ def shaded(corners: ArrayLike, view: View, towards_light: ArrayLike) -> int:
     )
     size = max(math.hypot(*normal), 1e-9)
     away = _dot(normal, view.axes[2].tolist())
-    light = [float(value) for value in np.asarray(towards_light, float)]
+    light = np.asarray(towards_light, float).tolist()
     lit = -math.copysign(1.0, away) * _dot(normal, light) / size if away else 0.0
     return 1 + round(0.5 * DARKEST * (1.0 - lit))
 
 
 def _dot(one: Sequence[float], other: Sequence[float]) -> float:
-    return sum(a * b for a, b in zip(one, other, strict=True))
+    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]

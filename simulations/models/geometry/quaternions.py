@@ -9,7 +9,13 @@ rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import Floats, as_matrices, as_vectors
+from simulations.models.arrays import (
+    Floats,
+    as_matrices,
+    as_vectors,
+    first_axis_last,
+    last_axis_first,
+)
 from simulations.models.require import require
 
 ORTHOGONAL = 1e-6
@@ -25,7 +31,7 @@ def cross_polynomial(
     Entry by entry, with [v]ₓ² = v vᵀ − |v|² I, which takes fewer products than a product of
     matrices.
     """
-    v = np.ascontiguousarray(np.moveaxis(as_vectors("vector", vector, 3), -1, 0))
+    v = np.ascontiguousarray(last_axis_first(as_vectors("vector", vector, 3)))
     shape = np.broadcast_shapes(v.shape[1:], np.shape(linear), np.shape(square))
     R = np.empty((*shape, 3, 3))
     with np.errstate(over="ignore", invalid="ignore"):
@@ -55,7 +61,7 @@ def normalise(quaternion: ArrayLike) -> Floats:
     require(
         "quaternion", q, ((largest > 0.0) & np.isfinite(largest)).all(), "finite and not all zero"
     )
-    return np.moveaxis(scaled / norm, 0, -1)
+    return first_axis_last(scaled / norm)
 
 
 def canonical(quaternion: ArrayLike) -> Floats:
@@ -96,7 +102,7 @@ def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
     with np.errstate(over="ignore"):
         angle = largest * norm
     require("rotation_vector", v, np.isfinite(angle).all(), "of finite length")
-    axis = np.moveaxis(scaled / np.where(norm > 0.0, norm, 1.0), 0, -1)
+    axis = first_axis_last(scaled / np.where(norm > 0.0, norm, 1.0))
     return angle[..., None], axis
 
 
@@ -106,7 +112,7 @@ def _measured(vectors: Floats) -> tuple[Floats, Floats, Floats]:
     Components are the first axis: reductions over a short last axis are several times slower. A
     zero vector stays zero.
     """
-    parts = np.ascontiguousarray(np.moveaxis(vectors, -1, 0))
+    parts = np.ascontiguousarray(last_axis_first(vectors))
     largest = np.abs(parts).max(axis=0)
     with np.errstate(over="ignore", invalid="ignore"):
         scaled = parts / np.where(largest > 0.0, largest, 1.0)

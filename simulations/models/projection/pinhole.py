@@ -15,7 +15,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Mask, as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors, last_axis_first
 from simulations.models.require import require
 
 
@@ -60,7 +60,7 @@ def project(points_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, Mask]:
         not a finite number. A finite point at Z = ∞ is valid: its image is the principal point. For
         points at infinity in other directions, use `project_homogeneous`.
     """
-    X, Y, Z = np.moveaxis(as_vectors("points_camera", points_camera, 3), -1, 0)
+    X, Y, Z = last_axis_first(as_vectors("points_camera", points_camera, 3))
     matrix = np.asarray(K, float)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         x, y = X / Z, Y / Z
