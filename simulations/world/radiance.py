@@ -13,7 +13,7 @@ from simulations.models.light.raycasting import Sphere
 from simulations.models.light.reflectance import blinn_phong
 from simulations.pictures.patterns import NARROWEST, stripes
 from simulations.world import light
-from simulations.world.furniture import BOUNCE, SKY, WALLS
+from simulations.world.furniture import BOUNCE, HIGH, LOW, SKY, WALLS
 from simulations.world.still_life import SceneObject
 from simulations.world.surfaces import STRIPES_AXIS
 from simulations.world.tracing import (
@@ -184,7 +184,8 @@ def _radiance_of_wall(
     (left, right), (bottom, top) = arriving.bounds[wall].tolist()
     near = (across > left) & (across < right) & (along > bottom) & (along < top)
     if (at := np.flatnonzero(near)).size:
-        points = np.zeros((3, at.size), np.float32)
+        points = np.empty((3, at.size), np.float32)
+        points[wall // 2] = (LOW, HIGH)[wall % 2][wall // 2]
         points[u] = across[at]
         points[v] = along[at]
         lamp_share, sky_share = arriving.on_flat(np.array([wall]), points, normal[:, None])

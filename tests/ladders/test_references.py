@@ -16,6 +16,7 @@ from scipy.integrate import quad
 from scipy.spatial.transform import Rotation, Slerp
 from support.ladders import run_of
 
+from simulations.ladders import baked_light
 from simulations.models.compression.blocks import LUMINANCE_TABLE
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.geometry.rotations import logarithm
@@ -288,3 +289,11 @@ def test_metric_measures_a_known_error(
 ) -> None:
     run = run_of(ladder_id)
     assert low < run.metrics[metric](spoil(run.truth), run.truth, run.work) < high
+
+
+def test_light_at_every_point_agrees_with_maps_where_upright_walls_are_in_shadow() -> None:
+    view = baked_light.draw(43)
+    assert (
+        baked_light.rms_codes(baked_light.baked(view, spacing=0.02), baked_light.traced(view), view)
+        < 0.1
+    )
