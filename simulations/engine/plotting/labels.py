@@ -149,21 +149,29 @@ def _best(
     places: Iterator[Placed], inside: Rectangle, boxes: Sequence[Rectangle], hidden: np.ndarray
 ) -> Placed:
     chosen = next(places)
-    least = _cost(chosen.box, inside, boxes, hidden)
+    least = _cost(chosen.box, inside, boxes, hidden, math.inf)
     for later, place in enumerate(places, start=1):
         if least <= LATER * later:
             break  # no later place can cost less
-        cost = LATER * later + _cost(place.box, inside, boxes, hidden)
+        cost = LATER * later + _cost(place.box, inside, boxes, hidden, least - LATER * later)
         if cost < least:
             chosen, least = place, cost
     return chosen
 
 
 def _cost(
-    box: Rectangle, inside: Rectangle, boxes: Sequence[Rectangle], hidden: np.ndarray
+    box: Rectangle,
+    inside: Rectangle,
+    boxes: Sequence[Rectangle],
+    hidden: np.ndarray,
+    enough: float,
 ) -> float:
+    """The cost of a place; if it is ``enough`` without the curves, their points are not counted."""
     cost = OUTSIDE * box.sticks_out_of(inside)
     cost += ON_LABEL * sum(box.shared(other) for other in boxes)
+    least = round(cost, 3)
+    if least >= enough:
+        return least
     return round(cost + ON_CURVE * box.holds(hidden), 3)
 
 
