@@ -5,8 +5,9 @@ and the specular strength upwards.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,18 +75,25 @@ def sphere(radius_px: float) -> Sphere:
 BALL, SAMPLE = sphere(RADIUS * FINE), sphere(SMALL * FINE)
 
 
-def lit_sphere(
-    of: Sphere, model: str, specular: float, roughness: float, light_angle: float, view_angle: float
-) -> LitSphere:
-    """The sphere in the light of the lamp; the camera is in front."""
+def lit_spheres(
+    of: Sphere,
+    model: str,
+    materials: Iterable[tuple[float, float]],
+    light_angle: float,
+    view_angle: float,
+) -> tuple[LitSphere, ...]:
+    """Spheres of these roughnesses and specular strengths in the light of the lamp; the camera is
+    in front."""
     to_light = light_direction(light_angle - view_angle).astype(np.float32)
     shade = (of.normals @ to_light).ravel()
     pixels = np.flatnonzero((shade > 0) & (of.cover > 0))
     arriving, facing = shade[pixels], of.normals[..., 2].ravel()[pixels]
-    material = Material(1.0, specular, roughness)
-    matte, mirrored = parts(model, material, arriving, facing, to_light[2])
-    arriving *= np.float32(np.pi)
-    return LitSphere(pixels, matte * arriving, mirrored * arriving)
+    of_white, found = arriving * np.float32(np.pi), []
+    for roughness, specular in materials:
+        material = Material(1.0, specular, roughness)
+        matte, mirrored = parts(model, material, arriving, facing, to_light[2])
+        found.append(LitSphere(pixels, matte * of_white, mirrored * of_white))
+    return tuple(found)
 
 
 def samples() -> Iterator[tuple[float, float]]:
@@ -97,16 +105,19 @@ def samples() -> Iterator[tuple[float, float]]:
 
 def lit_samples(model: str, light_angle: float, view_angle: float) -> tuple[LitSphere, ...]:
     """The spheres of the chart, in the order of `samples`."""
-    return tuple(
-        lit_sphere(SAMPLE, model, specular, roughness, light_angle, view_angle)
-        for roughness, specular in samples()
-    )
+    return lit_spheres(SAMPLE, model, samples(), light_angle, view_angle)
+
+
+@cache
+def bare_wall() -> Raster:
+    """(H, W, 4) bytes of the panel without spheres."""
+    wall = to_rgba8(encode_srgb(WALL[None, None]))
+    return np.tile(wall, (round(HEIGHT * FINE), round(WIDTH * FINE), 1))
 
 
 def chart(samples_lit: tuple[LitSphere, ...], albedo: float) -> Raster:
     """(H, W, 4) bytes of the panel without its ball."""
-    wall = to_rgba8(encode_srgb(WALL[None, None]))
-    picture = np.tile(wall, (round(HEIGHT * FINE), round(WIDTH * FINE), 1))
+    picture = bare_wall().copy()
     for material, light in zip(samples(), samples_lit, strict=True):
         paste(picture, SAMPLE, light, albedo, in_chart(*material))
     return picture
@@ -122,10 +133,10 @@ def with_ball(chart: Raster, light: LitSphere, albedo: float) -> Raster:
 def paste(picture: Raster, of: Sphere, light: LitSphere, albedo: float, middle: Point) -> None:
     """Put the square of a sphere, with the wall around it, into the picture."""
     raster, cover = of.unlit.copy(), of.cover[light.pixels]
-    for channel, (tint, wall) in enumerate(zip(np.float32(albedo) * TINT, WALL, strict=True)):
-        linear = light.mirrored + light.matte * tint
-        mixed = wall + cover * (linear - wall)
-        raster.reshape(-1, 4)[light.pixels, channel] = encode_srgb_codes(mixed)
+    tint, wall = (np.float32(albedo) * TINT)[:, None], WALL[:, None]
+    mixed = wall + cover * (light.mirrored + light.matte * tint - wall)
+    for channel, codes in enumerate(encode_srgb_codes(mixed)):
+        raster.reshape(-1, 4)[light.pixels, channel] = codes
     size = len(raster)
     left, top = (round(FINE * each - size / 2) for each in (middle[0], middle[1]))
     picture[top : top + size, left : left + size] = raster

@@ -24,7 +24,7 @@ from simulations.models.arrays import Floats
 from simulations.models.light.brdf import Material, reflected, schlick, sent_back
 from simulations.scenes._ball import HEIGHT, WIDTH, lamp, outlined_dot
 from simulations.scenes.brdf import materials
-from simulations.scenes.brdf.materials import BALL, ROUGHEST, SMOOTHEST, LitSphere, lit_sphere
+from simulations.scenes.brdf.materials import BALL, ROUGHEST, SMOOTHEST, LitSphere, lit_spheres
 
 LARGEST_DEG = 88  # directions nearer to the horizon have almost no light
 MODELS = {
@@ -101,7 +101,8 @@ def reflected_share(material: Material, model: str) -> Floats:
 def ball_light(
     model: str, specular: float, roughness: float, light_angle: float, view_angle: float
 ) -> LitSphere:
-    return lit_sphere(BALL, model, specular, roughness, light_angle, view_angle)
+    of = [(roughness, specular)]
+    return lit_spheres(BALL, model, of, light_angle, view_angle)[0]
 
 
 STAGES = (
