@@ -89,11 +89,13 @@ def _grid(lens: Distortion) -> str:
     lines = grid_lines()
     images = to_view(distort(lines, lens))
     within = np.hypot(lines[..., 0], lines[..., 1]) < fold_radius(lens)
-    in_view = np.all(np.abs(images - CENTRE) <= (220.0, 170.0), axis=-1)
+    aside, down = np.abs(images[..., 0] - CENTRE[0]), np.abs(images[..., 1] - CENTRE[1])
+    in_view = (aside <= 220.0) & (down <= 170.0)
     bent, folded = [], []
     for image, inside, visible in zip(images, within, in_view, strict=True):
         bent += _runs(image, inside & visible)
-        folded += _runs(image, _grown(~inside) & visible)
+        if not inside.all():
+            folded += _runs(image, _grown(~inside) & visible)
     (x, y), ideal = CENTRE, tuple(to_view(SAMPLE).tolist())
     parts = [
         rectangle((0.5, 0.5), VIEW_WIDTH - 1, VIEW_HEIGHT - 1, "muted thin faint"),

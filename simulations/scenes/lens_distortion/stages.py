@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.photograph import Photograph
-from simulations.engine.raster import to_rgba8
+from simulations.engine.raster import opaque
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, centred
-from simulations.models.color.srgb import decode_srgb, encode_srgb_table
+from simulations.models.color.srgb import decode_srgb, encode_srgb_codes
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
@@ -196,11 +196,11 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
 def _encoded(photo: Photo) -> NDArray[np.uint8]:
     """The photograph where it covers a pixel, grey where it does not."""
     if photo.coverage.min() == 1.0:
-        return to_rgba8(encode_srgb_table(photo.linear))
+        return opaque(encode_srgb_codes(photo.linear))
     laid = np.empty_like(photo.linear)
     for channel, grey in enumerate(np.asarray(UNSEEN, np.float32)):
         laid[..., channel] = grey + (photo.linear[..., channel] - grey) * photo.coverage
-    return to_rgba8(encode_srgb_table(laid))
+    return opaque(encode_srgb_codes(laid))
 
 
 def _ideal_lens(k1: float, k2: float) -> str:
