@@ -146,7 +146,7 @@ def footnote_anchor(words: Words, token: Token) -> str:
 def footnotes_open(words: Words, _token: Token) -> str:
     label = escape(words("frame.footnotes"))
     return (
-        f'<hr class="footnotes-sep" />\n<section class="footnotes" role="doc-endnotes"'
+        f'<section class="footnotes" role="doc-endnotes"'
         f' aria-label="{label}">\n<ol class="footnotes-list">\n'
     )
 
