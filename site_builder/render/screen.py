@@ -196,6 +196,7 @@ def paper_renderer() -> PassageRenderer:
             **RULES,
             "heading_close": lambda token: f"</{token.tag}></div>\n",
             "table_open": lambda _: '<div class="table-wrapper"><table>\n',
+            "footnote_block_open": lambda _: '<section class="footnotes">\n<ol>\n',
             "link_open": opening_tag,
             "role_open": opening_tag,
         }
