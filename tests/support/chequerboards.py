@@ -102,7 +102,7 @@ def bent_views(world: World, rng: np.random.Generator, count: int = 12) -> tuple
     if "fisheye" in world:  # sees 110° to 160° across
         focal *= 0.55
         lens = Fisheye(*rng.normal((0.0, 0.0, 0.0, 0.0), (0.03, 0.01, 3e-3, 1e-3)))
-    if "rational" in world:  # sees 80° to 120° across
+    if "rational" in world:  # sees 80° to 130° across
         focal = rng.uniform(650.0, 1050.0)
         lens = Distortion(k1=0.61, k2=0.05, p1=3e-4, p2=-2e-4, k4=0.86, k5=0.16, k6=2e-3)
     camera = Camera(focal, focal * rng.normal(1.0, 1e-3), x, y, lens)
