@@ -101,7 +101,8 @@ def clipped_images(H: Floats, shapes: Sequence[Floats]) -> list[Floats]:
         images = [image_of(H, *each).points for each in zip(shapes, closed, strict=True)]
         return [in_frame(*each) for each in zip(images, closed, strict=True)]
     together = to_view(apply_homography(H, np.concatenate(shapes))[0])
-    inside = ((together >= FRAME[0]) & (together <= FRAME[1])).all(axis=1)
+    within = (together >= FRAME[0]) & (together <= FRAME[1])
+    inside = np.logical_and.reduce(within, axis=1)
     bounds = pairwise(accumulate(map(len, shapes), initial=0))
     return [
         together[start:end]
