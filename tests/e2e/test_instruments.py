@@ -173,7 +173,7 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
     with step("the data sheet names a raw photograph for which the camera was turned"):
         cells = np.rint(64 + 4031 * decode_srgb(boards[2][::-1, ::-1, 0] / 255)).astype(np.uint16)
         turned = write_files(tmp_path, {"turned.dng": dng(cells, black=BLACK[:1], orientation=3)})
-        calibration.give([*files[:2], *turned])
+        calibration.give([*(tmp_path / f"board {k}.png" for k in range(2)), *turned])
         expect(page.locator(".data-sheet-parts")).to_contain_text("turned for turned.dng")
 
 
