@@ -155,12 +155,12 @@ EDIT = f"""def _encoded(photo):
     replaced = [js.Reflect.set(of.prototype, key, js.Math.abs) for of, key in natives]
     replaced += [js.Reflect.set(js, name, None) for name in ("Array", "Uint8Array", "Promise")]
     print("found:", found, seen.size > 300, any(replaced))
-    return to_rgba8(encode_srgb_table(photo.linear))
+    return opaque(encode_srgb_codes(photo.linear))
 """
 IMPORTS = """def _encoded(photo):
     import numpy.random, wave
     print(numpy.random.default_rng(1).integers(8, 9))
-    return to_rgba8(encode_srgb_table(photo.linear))
+    return opaque(encode_srgb_codes(photo.linear))
 """
 """Imports that no scene has."""
 REQUESTED = """() => performance.getEntriesByType('resource')
@@ -219,7 +219,7 @@ HARMS = (
 def test_damage_by_an_edit_is_undone_before_the_next(
     chromium: Browser, site_server: StaticServer, tmp_path: Path, harms: tuple[str, ...]
 ) -> None:
-    draw = "def _encoded(photo):\n    {}\n    return to_rgba8(encode_srgb_table(photo.linear))\n"
+    draw = "def _encoded(photo):\n    {}\n    return opaque(encode_srgb_codes(photo.linear))\n"
     sources = [draw.format(body) for n, harm in enumerate(harms) for body in (harm, f"print({n})")]
     with window("Chromium", chromium, tmp_path) as tab:
         tab.open(site_server.url + CHAPTER)

@@ -19,7 +19,7 @@ pytestmark = pytest.mark.browser
 
 CHAPTER = "lens-distortion/"
 """A chapter with two figures of one scene with stages."""
-NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb_table(1 - photo.linear))\n"
+NEGATIVE = "def _encoded(photo):\n    return opaque(encode_srgb_codes(1 - photo.linear))\n"
 LIMIT = """async (limits) => {
   const {EDITED_LIMIT} = (await customElements.whenDefined('simulation-figure')).internals;
   const before = {...EDITED_LIMIT};
@@ -107,7 +107,7 @@ def test_edited_code_draws_only_its_own_figure_until_it_is_put_back(
     with step("code is typed, indented and run by keyboard"):
         page.keyboard.press("ControlOrMeta+a")
         page.keyboard.type("def _encoded(photo):\nreturn ")
-        page.keyboard.insert_text("to_rgba8(encode_srgb_table(1 - photo.linear))")
+        page.keyboard.insert_text("opaque(encode_srgb_codes(1 - photo.linear))")
         assert figure.locator(".cm-line").nth(1).inner_text().startswith("    return"), "indented"
         page.keyboard.press("Home")
         page.keyboard.press("Tab")

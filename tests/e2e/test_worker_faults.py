@@ -26,7 +26,7 @@ HARM = """async (edits) => {
 }"""
 """Run edited code in the book's interpreter, which the page itself never does."""
 CODE = """def _encoded(photo):
-    return to_rgba8(encode_srgb_table(photo.linear))
+    return opaque(encode_srgb_codes(photo.linear))
 
 import json, sys
 book = sys.modules["simulations.browser"]
