@@ -132,7 +132,11 @@ def test_edited_code_draws_only_its_own_figure_until_it_is_put_back(
     with step("a model can be edited too, and its output is shown"):
         figure.locator(".use", has_text="encode_srgb").click()
         assert "simulations/models/color/srgb.py" in figure.locator(".workshop-place").inner_text()
-        edited.write("def encode_srgb_table(linear):\n    return linear\nprint('hello')\n")
+        edited.write(
+            "def encode_srgb_codes(linear):\n"
+            "    return (255 * linear).astype('uint8')\n"
+            "print('hello')\n"
+        )
         edited.run()
         assert figure.locator(".workshop-printed").inner_text() == "hello\n"
         assert edited.content()["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
