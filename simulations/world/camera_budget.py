@@ -47,8 +47,15 @@ class Task:
     """Milliseconds, by name."""
     tolerance: float
     """Codes."""
-    most: float = 0.0
-    """Milliseconds saved by the best choice whose picture stays within the tolerance."""
+    best: tuple[str, ...]
+    """Of all 128 choices whose picture stays within the tolerance, the one that saves most."""
+    errors: Mapping[tuple[str, ...], float]
+    """RMS in codes of the picture without several effects, for the choices of known plans."""
+
+    @property
+    def most(self) -> float:
+        """Milliseconds that the best choice saves."""
+        return time_saved(self.saved, self.best)
 
 
 def drawn_photo(seed: int) -> Photo:
@@ -82,10 +89,21 @@ def prepare() -> tuple[Task, ...]:
             costs=dict(zip(EFFECTS, costs, strict=True)),
             saved=dict(zip(EFFECTS, saved, strict=True)),
             tolerance=tolerance_of(seed),
-            most=most,
+            best=best,
+            errors=errors,
         )
-        for seed, (costs, saved, most) in enumerate(FOUND)
+        for seed, (costs, saved, best, errors) in enumerate(FOUND)
     )
+
+
+def in_order(names: Collection[str]) -> tuple[str, ...]:
+    """Names of effects in the order of `EFFECTS`."""
+    return tuple(name for name in EFFECTS if name in names)
+
+
+def time_saved(saved: Mapping[str, float], names: Collection[str]) -> float:
+    """Milliseconds."""
+    return sum(saved[name] for name in names)
 
 
 def leave_nothing(
@@ -119,32 +137,49 @@ def one_by_one(
 
 
 def best_choice(
-    costs: Mapping[str, float],
-    saved: Mapping[str, float],
-    tolerance: float,
-    error: Callable[[Mapping[str, float], Collection[str]], float] = edges_added,
+    costs: Mapping[str, float], saved: Mapping[str, float], tolerance: float
 ) -> Collection[str]:
     """Of all choices within the tolerance the one that saves most."""
-    choices = (names for count in range(8) for names in combinations(costs, count))
-    within = (names for names in choices if error(costs, names) <= tolerance)
-    return max(within, key=lambda names: sum(saved[name] for name in names))
-
-
-def asked(number: int) -> dict[str, Any]:
-    """What an exercise says of a photograph."""
-    task = prepare()[number]
-    return {
-        "number": number,
-        "tolerance": task.tolerance,
-        "costs": dict(task.costs),
-        "saved": dict(task.saved),
-    }
+    return _best_within(costs, saved, tolerance, edges_added)
 
 
 def best_in_squares(
     costs: Mapping[str, float], saved: Mapping[str, float], tolerance: float
 ) -> Collection[str]:
-    return best_choice(costs, saved, tolerance, in_squares)
+    """The same, if all errors added in squares."""
+    return _best_within(costs, saved, tolerance, in_squares)
+
+
+def _best_within(
+    costs: Mapping[str, float],
+    saved: Mapping[str, float],
+    tolerance: float,
+    error: Callable[[Mapping[str, float], Collection[str]], float],
+) -> Collection[str]:
+    choices = (names for count in range(8) for names in combinations(costs, count))
+    within = (names for names in choices if error(costs, names) <= tolerance)
+    return max(within, key=lambda names: time_saved(saved, names))
+
+
+def given(task: Task) -> tuple[dict[str, float], dict[str, float], float]:
+    """The arguments of a plan."""
+    return dict(task.costs), dict(task.saved), task.tolerance
+
+
+def asked(number: int) -> dict[str, Any]:
+    """What an exercise says of a photograph."""
+    task = prepare()[number]
+    costs, saved, tolerance = given(task)
+    return {"number": number, "tolerance": tolerance, "costs": costs, "saved": saved}
+
+
+PLANS: Mapping[str, Plan] = {
+    "nothing": leave_nothing,
+    "single": one_by_one,
+    "squares": best_in_squares,
+    "added": best_choice,
+}
+"""Plans whose pictures are recorded."""
 
 
 @cache
@@ -161,16 +196,16 @@ def error_in_picture(number: int, left: tuple[str, ...]) -> float:
     return error_without(left, light, _truth(number), task.costs["poisson"])
 
 
-def photographed(plan: Plan, given: Mapping[str, Any]) -> str | None:
+def photographed(plan: Plan, task: Mapping[str, Any]) -> str | None:
     """What becomes of a plan for one photograph: a sentence, the same for all that are right."""
-    left = plan(dict(given["costs"]), dict(given["saved"]), given["tolerance"])
+    left = plan(dict(task["costs"]), dict(task["saved"]), task["tolerance"])
     if left is None:
         return None
     if unknown := sorted(set(left) - set(EFFECTS)):
         return f"without {', '.join(map(str, unknown))}, which is no effect"
-    names = [name for name in EFFECTS if name in left]
-    error = error_in_picture(given["number"], tuple(names))
-    if error <= given["tolerance"]:
+    names = in_order(left)
+    error = error_in_picture(task["number"], names)
+    if error <= task["tolerance"]:
         return WITHIN
     return f"{error:.3g} codes off without {', '.join(names)}"
 
@@ -184,10 +219,6 @@ def count_beyond(plan: Plan) -> int:
 def saved_of_best(plan: Plan) -> str:
     """What a plan saves on all photographs of the exercise, of what the best choices save."""
     tasks = prepare()
-    saved = sum(
-        task.saved[name]
-        for task in tasks
-        for name in plan(dict(task.costs), dict(task.saved), task.tolerance)
-    )
+    saved = sum(time_saved(task.saved, plan(*given(task))) for task in tasks)
     share = saved / sum(task.most for task in tasks)
     return f"{ENOUGH:.0%} or more" if share >= ENOUGH else f"{share:.1%}"

@@ -2,7 +2,7 @@
 pictures, and a plan is judged by its pictures and by what it saves."""
 
 import pytest
-from bench.omissions import most_saved
+from bench.omissions import Pictures, row
 
 from simulations.world.camera_budget import (
     Plan,
@@ -14,17 +14,17 @@ from simulations.world.camera_budget import (
     prepare,
     saved_of_best,
 )
-from simulations.world.omissions import complete_model
 
 
 @pytest.mark.parametrize("number", [3, 8])
-def test_recorded_costs_and_best_choice_of_a_photograph_are_those_of_its_pictures(
+def test_recorded_costs_best_choice_and_errors_of_a_photograph_are_those_of_its_pictures(
     number: int,
 ) -> None:
     task = prepare()[number]
-    assert complete_model(task.photo).costs == pytest.approx(task.costs, rel=1e-3, abs=1e-6)
-    found = most_saved(task.photo, task.costs, task.saved, task.tolerance)
-    assert found == pytest.approx(task.most, rel=1e-3)
+    costs, _, best, errors = row(Pictures.of(task.photo), task.saved, task.tolerance)
+    assert costs == pytest.approx([*task.costs.values()], rel=1e-3, abs=1e-6)
+    assert best == task.best
+    assert errors == pytest.approx(task.errors, rel=1e-3, abs=1e-6)
 
 
 def all_effects_within(costs: dict[str, float], _saved: object, tolerance: float) -> set[str]:
