@@ -64,10 +64,9 @@ CROWDED = """(more) => [...document.querySelectorAll("simulation-figure")].flatM
 })"""
 MORE_IN_SIGHT = {
     "figure-camera": (4, 1), "figure-camera-pose": (1, 3),
-    "figure-jpeg": (3, 2), "figure-single-view": (3, 3), "figure-chequerboard": (2, 2),
-    "figure-your-lens": (3, 3), "figure-your-edge": (3, 3), "figure-your-noise": (1, 3),
+    "figure-single-view": (2, 2), "figure-chequerboard": (2, 2),
 }  # fmt: skip
-"""Controls and numbers of figures whose subject is how they act together, and of instruments."""
+"""Controls and numbers of figures whose subject is how they act together."""
 SMALL_LABELS = """(least) => [...document.querySelectorAll(
     ":is(simulation-figure, .drawing) svg.overlay"
   )]
@@ -174,21 +173,13 @@ TOUCHING = """(known) => {
 """Lists labels that touch; a fifth of the line height above and below the letters is empty."""
 
 
-HIGH = """([most, higher]) => {
+HIGH = """(most) => {
   for (const fold of document.querySelectorAll('details:has(simulation-figure)')) fold.open = true;
   return [...document.querySelectorAll('figure.simulation')]
     .map(({id, offsetHeight}) => [id, offsetHeight])
-    .filter(([id, height]) => height > (higher[id] ?? most));
+    .filter(([, height]) => height > most);
 }"""
 """Figures with controls, tools and caption that are higher than a window under its header."""
-HIGHER_ON_A_DESK = {
-    "figure-your-edge": 1165, "figure-your-lens": 1030, "figure-single-view": 975,
-    "figure-your-noise": 955,
-}  # fmt: skip
-HIGHER_ON_A_PHONE = {
-    "figure-your-edge": 1275, "figure-your-lens": 1440, "figure-single-view": 1240,
-    "figure-your-noise": 1080,
-}  # fmt: skip
 OUTSIDE_HEADER = """() => [...document.querySelectorAll(".site-header *")]
   .filter((one) => one.checkVisibility() && one.getBoundingClientRect().right > innerWidth + 1)
   .map((one) => one.className)"""
@@ -226,7 +217,7 @@ ON_DESKTOP = {
     1440: [
         *(*fits(1440), KEYBOARD, LABELS, TOUCHES),
         Rule(TOO_FAR, FIRST_FIGURE_IS_FAR, 2 * 900),
-        Rule("higher than the window", HIGH, [850, HIGHER_ON_A_DESK]),
+        Rule("higher than the window", HIGH, 850),
         Rule("the place of a caption differs from the source", UNORDERED),
         Rule("a leading picture is small", SMALL_LEADS),
         Rule("has no name for a screen reader", UNNAMED),
@@ -239,7 +230,7 @@ ON_DESKTOP = {
 ON_PHONE = {
     390: [
         *(TOUCHES, Rule(TOO_FAR, FIRST_FIGURE_IS_FAR, 2 * 844)),
-        Rule("higher than the window", HIGH, [790, HIGHER_ON_A_PHONE]),
+        Rule("higher than the window", HIGH, 790),
         Rule("a label is too small", SMALL_LABELS, 10.5),
         Rule("not on one screen: two panels, or one and the controls", OUTSIDE),
         Rule("too small for a finger", TOO_SMALL),

@@ -90,6 +90,7 @@ def test_boards_pairs_and_raw_files_give_the_results_of_cpython(
     boards = [np.repeat(rendered(index), 3, axis=-1) for index in range(3)]
     shots = [*boards, np.full_like(boards[0], 120)]
     files = write_files(tmp_path, {f"board {k}.png": png(codes) for k, codes in enumerate(shots)})
+    calibration.whole.locator(".made-files summary").click()
     make = calibration.whole.get_by_role("button", name="JSON", exact=True)
     with step("one board is too few for a file"):
         calibration.give(files[:1])
@@ -256,6 +257,7 @@ def test_drawn_lines_can_be_undone_and_give_the_results_of_cpython(
             assert figure.locator(f"output[name={readout.name}]").text_content() == readout.text
     with step("the exported file has the numbers of CPython"):
         with visitor.page.expect_download() as download:
+            whole.locator(".made-files summary").click()
             whole.get_by_role("button", name="Distances as JSON").click()
         theirs = json.loads(download.value.path().read_text("utf-8"))
         ours = json.loads(as_json(settings, scene.run(settings, "", StageCache(), same).outputs))

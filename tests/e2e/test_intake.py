@@ -185,7 +185,7 @@ def test_photographs_and_settings_of_two_tabs_are_stored_together(
     assert tabs[0].evaluate(SESSION) is None
 
 
-SLANTED = "simulation-figure[data-simulation=slanted-edge]"
+SLANTED = "simulation-figure[data-simulation=slanted-edge]:not([data-with])"
 PAINTED_AT = """(figure, [name, value]) => {
   figure.querySelector(`[name=${name}]`).value = value;
   figure.dispatchEvent(new Event('painted'));

@@ -36,7 +36,9 @@ class Instrument:
 
     def __init__(self, reader: Reader, scene: str) -> None:
         self.reader = reader
-        self.figure = reader.page.locator(f"simulation-figure[data-simulation={scene}]")
+        self.figure = reader.page.locator(
+            f"simulation-figure[data-simulation={scene}]:not([data-with])"
+        )
         self.whole = reader.page.locator("figure", has=self.figure)
         self.box = self.whole.locator(".intake")
         self.status = self.box.locator(".intake-status")
