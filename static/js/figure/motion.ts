@@ -64,13 +64,13 @@ export class Motion {
     this.stop();
   }
 
-  /** Begin the motion that a control declares, if it stands where the page put it. */
+  /** Begin the motion that a control declares, if neither page nor reader has set it. */
   startByItself() {
-    const { controls, values } = this.schema;
+    const { controls } = this.schema;
     const action = controls.filter(isAction).find(({ arrival }) => arrival);
     const slider = controls.filter(isSlider).find(({ arrival }) => arrival !== undefined);
     if (action) this.press(action, performance.now());
-    else if (slider && this.#value(slider) === values[slider.name]) this.#goAndReturn(slider);
+    else if (slider && this.#value(slider) === slider.default) this.#goAndReturn(slider);
     this.#byItself = true;
   }
 

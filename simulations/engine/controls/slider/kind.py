@@ -133,7 +133,7 @@ def slider[N: (int, float)](
     arrival: float | None = None,
 ) -> N:
     """A number in a closed range; an ``int`` if the field is annotated as one. Where `arrival` is
-    given, it moves there and back when its figure is first seen."""
+    given and the page sets no value, it moves there and back when its figure is first seen."""
     numbers = {"default": default, "minimum": minimum, "maximum": maximum, "step": step}
     affixes = {"unit": unit, "prefix": prefix}
     return setting(default, Slider, label=label, **numbers, **affixes, arrival=arrival)
