@@ -47,8 +47,15 @@ class EdgeCurve:
     """Standard deviation of the pixels from the curve."""
 
     def spread(self, distance: ArrayLike) -> Floats:
-        """ESF (...) at distances (...)."""
-        return weights(distance, self.reach) @ self.heights
+        """ESF (...) at distances (...): of the four B-splines that reach each."""
+        first, shares = _shares(np.asarray(distance, float), self.reach)
+        padded = np.concatenate([self.heights, np.zeros(1)])
+        total = np.zeros(first.shape)
+        for place, share in enumerate(shares):
+            number = first + place
+            outside = (number < 0) | (number >= len(self.heights))
+            total += share * padded[np.where(outside, -1, number)]
+        return total
 
     def spread_error(self, distance: ArrayLike) -> Floats:
         """Standard error (...) of the ESF at distances (...)."""
@@ -65,17 +72,13 @@ class EdgeCurve:
 
     def slope(self, distance: ArrayLike) -> Floats:
         """LSF (...), per pixel, at distances (...)."""
-        return STEPS * self._between(distance, 1.0 / STEPS) @ self.heights
+        place, half = np.asarray(distance, float), 0.5 / STEPS
+        return STEPS * (self.spread(place + half) - self.spread(place - half))
 
     def rise(self, distance: ArrayLike, width: float) -> tuple[Floats, Floats]:
         """How far the ESF rises (...) over a width around distances (...); its standard error."""
-        shares = self._between(distance, width)
+        shares = _between(np.asarray(distance, float).tobytes(), width, self.reach)
         return shares @ self.heights, self._error(shares)
-
-    def _between(self, distance: ArrayLike, width: float) -> Floats:
-        """Weights (..., K) of the heights in the rise over a width around distances (...)."""
-        place = np.asarray(distance, float)
-        return weights(place + 0.5 * width, self.reach) - weights(place - 0.5 * width, self.reach)
 
     def _error(self, shares: Floats) -> Floats:
         """Standard errors (...) of sums of heights, each with its weights (..., K)."""
@@ -149,6 +152,13 @@ def _rises(reach: float) -> Floats:
     """(M, K) how far each B-spline rises in each step of the sum."""
     steps = round(STEPS * reach)
     return np.diff(weights(np.arange(-steps, steps + 1) / STEPS, reach), axis=0)
+
+
+@lru_cache(maxsize=16)
+def _between(distances: bytes, width: float, reach: float) -> Floats:
+    """Weights (N, K) of the heights in the rise over a width around distances (N,) of float64."""
+    place = np.frombuffer(distances)
+    return weights(place + 0.5 * width, reach) - weights(place - 0.5 * width, reach)
 
 
 def weights(distance: ArrayLike, reach: float) -> Floats:

@@ -36,8 +36,9 @@ def light_of_codes(codes: NDArray[np.uint8], *, srgb: bool, tone: float = 0.0) -
     if np.mean(largest == 0) > MOST_CLIPPED:
         raise UnfitEdgeError(TOO_DARK.format(0))
     light = light_of_code(srgb=srgb, tone=tone)
-    for channel in range(3):
-        require_no_plateau(np.bincount(codes[..., channel].ravel(), minlength=256), light)
+    # a grey picture has three equal channels
+    for counts in {np.bincount(codes[..., k].ravel(), minlength=256).tobytes() for k in range(3)}:
+        require_no_plateau(np.frombuffer(counts, np.intp), light)
     return luminance(light.astype(np.float32)[codes])
 
 

@@ -112,7 +112,8 @@ def as_shares(values: Floats, dark: Floats, light: Floats, y: Floats) -> Floats:
     ``dark`` and ``light`` (N,) are means of the rows at heights ``y``. Straight lines through them
     follow light that grows evenly along the edge. Raises `UnfitEdgeError` if light is not lighter.
     """
-    foot, top = (np.polyval(np.polyfit(y, level, 1), y)[:, None] for level in (dark, light))
+    slopes, middles = np.polyfit(y, np.stack([dark, light], axis=-1), 1)
+    foot, top = (np.multiply.outer(y, slopes) + middles).T[..., None]
     if not np.all(top > foot):
         raise UnfitEdgeError(NO_EDGE)
     shares: Floats = (values - foot) / (top - foot)
