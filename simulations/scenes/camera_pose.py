@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.accuracy import Accuracy
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, matrix_readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
@@ -344,6 +344,6 @@ SCENE = Scene(
         ),
         turning("world"),
     ),
-    accuracy=Accuracy(levels=LEVELS),
+    accuracy=Accuracy(levels=(*columns(100), *LEVELS)),
     formula=world_to_camera,
 )

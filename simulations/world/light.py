@@ -11,7 +11,7 @@ from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import penumbra, shadow_bounds, smooth_ramp
 from simulations.world.still_life import OBJECTS, SceneObject
-from simulations.world.surfaces import Surface, Window, windows_between
+from simulations.world.surfaces import FEW, Surface, Window, windows_between
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
@@ -66,7 +66,7 @@ def shadow_corners(solid: Sphere | Box, lamp: Vector) -> tuple[Floats, Floats]:
 def lamp_visibility(points: Floats, lamp: Vector, items: Sequence[SceneObject]) -> Floats:
     """Share (H, W) of the lamp that the objects do not hide from points (H, W, 3)."""
     share = np.ones(points.shape[:2])
-    for window, place in _penumbras(points, lamp, items):
+    for window, place in _penumbras(points, lamp, items, FEW):
         share[window] *= smooth_ramp(place)
     return share
 
@@ -90,11 +90,12 @@ def lamp_penumbra(
 
 
 def _penumbras(
-    points: Floats, lamp: Vector, items: Sequence[SceneObject]
+    points: Floats, lamp: Vector, items: Sequence[SceneObject], few: int = 0
 ) -> Iterator[tuple[Window, Floats]]:
-    """The places in the penumbra of each object, in the window that its shadow may reach."""
+    """The places in the penumbra of each object, in the window that its shadow may reach, or at all
+    of a ``few`` points."""
     solids = [item.solid for item in items]
     corners = [shadow_corners(solid, lamp) for solid in solids]
-    for solid, near in zip(solids, windows_between(points, corners), strict=True):
+    for solid, near in zip(solids, windows_between(points, corners, few), strict=True):
         if near is not None:
             yield near, penumbra(solid, points[near], lamp, LAMP_RADIUS_RAD)

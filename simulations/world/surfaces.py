@@ -43,6 +43,9 @@ CHART = (0.35, 1.12, 1.9, 1.3)
 OCCLUSION_REACH = 6.0
 """Radii beyond which a ball hides less than 1/36 of the surroundings, which is ignored."""
 
+FEW = 3000
+"""Points for which it costs less to compute a shadow than to find the window that it reaches."""
+
 FLOOR_LIGHT, FLOOR_DARK = np.array([0.60, 0.55, 0.47]), np.array([0.17, 0.13, 0.11])
 WALL, GROOVE = np.array([0.33, 0.42, 0.43]), np.array([0.20, 0.26, 0.27])
 SKIRTING = np.array([0.62, 0.60, 0.56])
@@ -189,7 +192,7 @@ def sky_visibility(
         for solid in (item.solid for item in items)
     ]
     reached = ((at - reach * radius, at + reach * radius) for at, radius in balls)
-    for (centre, radius), near in zip(balls, windows_between(points, reached), strict=True):
+    for (centre, radius), near in zip(balls, windows_between(points, reached, FEW), strict=True):
         if near is not None:
             hidden = sphere_occlusion(tuple(centre.tolist()), radius, points[near], normals[near])
             openness[near] *= 1.0 - np.maximum(hidden - reach**-2, 0.0)
@@ -197,15 +200,18 @@ def sky_visibility(
 
 
 def windows_between(
-    points: Floats, corners: Iterable[tuple[Floats, Floats]]
+    points: Floats, corners: Iterable[tuple[Floats, Floats]], few: int = 0
 ) -> Iterator[Window | None]:
     """Rows and columns of the points (H, W, 3) whose x and y are between two corners (low, high),
-    for each pair. A comparison with the bounds of all points comes first, as it is fast."""
+    for each pair. A comparison with the bounds of all points comes first, as it is fast; where it
+    does not tell, up to ``few`` points are all taken."""
     x, y = points[..., 0].copy(), points[..., 1].copy()
     left, right, front, back = x.min(), x.max(), y.min(), y.max()
     for low, high in corners:
         if right <= low[0] or back <= low[1] or left >= high[0] or front >= high[1]:
             yield None
+        elif x.size <= few:
+            yield slice(None), slice(None)
         else:
             yield window_of((x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1]))
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats, Planes
-from simulations.models.lens.disc_blur import NARROW_RADIUS, check_radius, disc_blur
+from simulations.models.lens.disc_blur import NARROW_RADIUS, check_radius, disc_blur, extended
 
 type Blur = Callable[[Planes, float], Planes]
 """A function that convolves a picture (C, H, W) with a disc of a radius in pixels; returns it
@@ -84,8 +84,7 @@ def blur_layer(layer: Layer, blur: Blur = disc_blur) -> Layer:
     if layer.radius_px == 0:
         return layer
     grow = math.ceil(layer.radius_px) + 1
-    padded = np.pad(layer.planes, ((0, 0), (grow, grow), (grow, grow)), mode="edge")
-    blurred = blur(padded, layer.radius_px)
+    blurred = blur(extended(layer.planes, grow), layer.radius_px)
     return Layer(blurred, layer.top - grow, layer.left - grow, layer.radius_px)
 
 

@@ -74,15 +74,15 @@ def measure_pair(
     if frames.ndim != 3 or len(frames) != 2 or frames[0].size < FEWEST_PIXELS:
         raise ValueError(f"frames {frames.shape}; legal: (2, H, W), of 64 pixels or more")
     first, second = frames
-    light = np.arange(highest + 1.0) if response is None else np.asarray(response, float)
-    linear = light[frames]
+    linear = frames.astype(float) if response is None else np.asarray(response, float)[frames]
     rest_a, rest_b = _without_trend(linear)
     free = first.size - TREND_TERMS
     difference = rest_a - rest_b
     noise = float(np.sum(difference**2)) / (2 * free)
     pattern = float(np.sum(rest_a * rest_b)) / free
     step = _step(frames)
-    rounding = step**2 * float(np.mean(np.gradient(light)[frames] ** 2)) / 12
+    per_code = 1.0 if response is None else float(np.mean(np.gradient(response)[frames] ** 2))
+    rounding = step**2 * per_code / 12
     apart = first.astype(float) - second
     noise_in_codes = float(apart.var(ddof=1)) / (2 * step**2)
     rows, columns = (_shared(difference, 2 * noise, axis) for axis in (1, 0))
@@ -98,22 +98,25 @@ def measure_pair(
             math.sqrt(noise * (noise + 2 * max(pattern, 0.0)) / free), *few
         ),
         noise_in_codes=noise_in_codes,
-        correlation=float(np.mean([shares[lag] for lag in BESIDE])),
+        correlation=sum(shares[lag] for lag in BESIDE) / len(BESIDE),
         neighbours=2 * sum(shares[lag] for lag in (*BESIDE, (1, 1), (1, -1))),
         farther=2 * sum(share for lag, share in shares.items() if 2 in map(abs, lag)),
         clipped=_clipped(frames, highest, noise_in_codes >= LEAST_VARIANCE_DN2),
         pixels=first.size,
         row_dn2=rows / 2,
         row_error_dn2=(noise / first.shape[1] + bands[0]) * math.sqrt(2 / first.shape[0]),
-        lowest=float(np.mean(frames == frames.min())),
+        lowest=np.count_nonzero(frames == frames.min()) / frames.size,
         step=step,
     )
 
 
 def _clipped(frames: NDArray[np.unsignedinteger], highest: int, noisy: bool) -> float:
     """Share of the pixels at an end of the scale, or where others of the noise are missing."""
-    ends = [(end, float(np.mean(frames == end))) for end in {int(frames.min()), int(frames.max())}]
-    return sum(share for end, share in ends if end in (0, highest) or (noisy and share > PILED))
+    shares = {
+        end: np.count_nonzero(frames == end) / frames.size
+        for end in {int(frames.min()), int(frames.max())}
+    }
+    return sum(s for end, s in shares.items() if end in (0, highest) or (noisy and s > PILED))
 
 
 def _step(frames: NDArray[np.unsignedinteger]) -> float:
@@ -155,11 +158,11 @@ def _correlations(difference: Floats, variance: float) -> dict[tuple[int, int], 
     """
     found, (height, width) = {}, difference.shape
     single = difference - difference.mean(axis=1, keepdims=True) - difference.mean(axis=0)
-    own = float(np.mean(single**2))
+    own = float(np.vdot(single, single)) / single.size
     for down, across in LAGS:
         first = single[down:, max(across, 0) : width + min(across, 0)]
         second = single[: height - down, max(-across, 0) : width - max(across, 0)]
-        product = float((first * second).mean()) if first.size else 0.0
+        product = float(np.einsum("ij,ij", first, second)) / max(first.size, 1)
         product += own * ((down == 0) / width + (across == 0) / height)
         found[down, across] = product / (variance or 1.0)
     return found

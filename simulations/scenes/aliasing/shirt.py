@@ -1,6 +1,7 @@
 """A striped shirt, worn: the stripes bend with the cloth, and are even on the chest, where the
 figure reads its row. Lengths are in the figure's pixels, 160 × 120."""
 
+import math
 from dataclasses import KW_ONLY, dataclass
 from functools import lru_cache
 
@@ -12,8 +13,9 @@ from simulations.scenes.aliasing.light import FRAMED_AT, SIZE_PX, Pattern
 
 MIDDLE = 80.0  # of the body
 FLAT = 28.0  # half the width of the chest that faces the camera; towards its sides, cloth recedes
-PALE, DARK = np.array([0.86, 0.84, 0.80]), np.array([0.03, 0.07, 0.24])
-SKIN, WALL = np.array([0.62, 0.36, 0.24]), np.array([0.36, 0.31, 0.25])
+PALE, DARK, SKIN, WALL = np.array(
+    [[0.86, 0.84, 0.80], [0.03, 0.07, 0.24], [0.62, 0.36, 0.24], [0.36, 0.31, 0.25]], np.float32
+)
 FINEST = 4.0  # cycles per sample; no stripes get finer
 
 
@@ -33,10 +35,10 @@ class Fold:
 
     def shift_at(self, x: Floats, y: Floats) -> Floats:
         """How far it moves the stripes at a place to the right; 0 beyond its ends."""
-        turn = np.radians(self.turn_deg)
+        turn = math.radians(self.turn_deg)
         right, down = x - self.centre[0], y - self.centre[1]
-        along = (right * np.cos(turn) + down * np.sin(turn)) / self.length
-        off = (down * np.cos(turn) - right * np.sin(turn)) / self.width
+        along = (right * math.cos(turn) + down * math.sin(turn)) / self.length
+        off = (down * math.cos(turn) - right * math.sin(turn)) / self.width
         shift, inside = np.zeros_like(along), (np.abs(along) < 1.0) & (np.abs(off) < 1.0)
         hill = np.cos(np.pi / 2 * along[inside]) * np.cos(np.pi / 2 * off[inside])
         shift[inside] = self.height * hill**2
@@ -88,7 +90,8 @@ def cloth_at(rate: float) -> Cloth:
     columns, rows = (round(length * rate) for length in SIZE_PX)
     # The first sample of the row lies on the first of its pixels, as in the second panel.
     x = FRAMED_AT + (np.arange(columns) - round(FRAMED_AT * rate)) / rate
-    x, y = np.meshgrid(x, (np.arange(rows) + 0.5) / rate)
+    y = (np.arange(rows) + 0.5) / rate
+    x, y = np.meshgrid(x.astype(np.float32), y.astype(np.float32))
     right, side = x - MIDDLE, np.abs(x - MIDDLE)
     beyond = np.maximum(side - FLAT, 0.0)
     # The body, with sloping shoulders, and an arm at each side, from shoulder to elbow.

@@ -6,7 +6,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from simulations.engine.accuracy import Accuracy
+from simulations.engine.accuracy import Accuracy, columns
 from simulations.engine.frame import Frame, Raster, Readout, format_number, matrix_readout, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.scene import Scene
@@ -214,6 +214,6 @@ SCENE = Scene(
             role="image",
         ),
     ),
-    accuracy=Accuracy(levels=LEVELS),
+    accuracy=Accuracy(levels=(*columns(120), *LEVELS)),
     formula=depth_from_disparity,
 )
