@@ -157,12 +157,15 @@ def _correlations(difference: Floats, variance: float) -> dict[tuple[int, int], 
     The means of rows and columns, which are taken off, hold a part of each cell's own noise.
     """
     found, (height, width) = {}, difference.shape
-    single = difference - difference.mean(axis=1, keepdims=True) - difference.mean(axis=0)
-    own = float(np.vdot(single, single)) / single.size
+    framed = np.zeros((height, width + 2))  # cells beyond the end of a row are 0
+    framed[:, :width] = difference - difference.mean(axis=1, keepdims=True)
+    framed[:, :width] -= difference.mean(axis=0)
+    single = framed.ravel()
+    own = float(single @ single) / difference.size
     for down, across in LAGS:
-        first = single[down:, max(across, 0) : width + min(across, 0)]
-        second = single[: height - down, max(-across, 0) : width - max(across, 0)]
-        product = float(np.einsum("ij,ij", first, second)) / max(first.size, 1)
+        away = down * (width + 2) + across
+        count = max(height - down, 0) * max(width - abs(across), 0)
+        product = float(single[away:] @ single[: single.size - away]) / count if count else 0.0
         product += own * ((down == 0) / width + (across == 0) / height)
         found[down, across] = product / (variance or 1.0)
     return found
