@@ -73,6 +73,7 @@ def blur_px(focal_length: float, aperture: float, focus: float, depth_m: Floats 
     return disc / PITCH_MM
 
 
+@lru_cache(maxsize=16)  # called a dozen times a frame
 def principal_mm(focal_length: float, focus: float) -> float:
     """Distance from the lens to the sensor, which scales the projection; it is f only at
     infinity."""

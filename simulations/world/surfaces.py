@@ -183,18 +183,19 @@ def sky_visibility(
     """Share of the surroundings that the objects do not hide; boxes count as balls inside them.
 
     An object hides nothing from points on its own surface, from which its inside is behind."""
-    openness = np.ones(points.shape[:2])
-    balls = [
-        (
-            np.array(solid.centre),
-            solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size),
-        )
-        for solid in (item.solid for item in items)
-    ]
-    reached = ((at - reach * radius, at + reach * radius) for at, radius in balls)
-    for (centre, radius), near in zip(balls, windows_between(points, reached, FEW), strict=True):
+    solids = [item.solid for item in items]
+    centres = np.array([solid.centre for solid in solids])
+    radii = np.array(
+        [solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size) for solid in solids]
+    )
+    if points[..., 0].size <= FEW:  # all at once, as the steps take longer than the arithmetic
+        hidden = sphere_occlusion(centres[:, None, None], radii[:, None, None], points, normals)
+        return np.prod(1.0 - np.maximum(hidden - reach**-2, 0.0), axis=0)
+    openness, far = np.ones(points.shape[:2]), reach * radii[:, None]
+    reached = zip(centres - far, centres + far, strict=True)
+    for place, near in enumerate(windows_between(points, reached)):
         if near is not None:
-            hidden = sphere_occlusion(tuple(centre.tolist()), radius, points[near], normals[near])
+            hidden = sphere_occlusion(centres[place], radii[place], points[near], normals[near])
             openness[near] *= 1.0 - np.maximum(hidden - reach**-2, 0.0)
     return openness
 

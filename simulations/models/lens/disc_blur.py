@@ -47,7 +47,8 @@ def _shares(radius: float) -> Floats:
     """Area of each pixel that a disc wider than a pixel covers, as a share of the disc."""
     reach = math.ceil(radius - 0.5)
     borders = np.minimum(np.arange(reach + 1) + 0.5, radius)
-    to_corner = np.pad(_area_to_corner(borders, borders[:, None], radius), ((1, 0), (1, 0)))
+    to_corner = np.zeros((reach + 2, reach + 2))
+    to_corner[1:, 1:] = _area_to_corner(borders, borders[:, None], radius)
     # The borders of the middle pixel are on both sides of the centre: twice the area to one of
     # them.
     to_corner[0], to_corner[:, 0] = -to_corner[1], -to_corner[:, 1]

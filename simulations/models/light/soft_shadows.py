@@ -117,15 +117,18 @@ def smooth_ramp(place: ArrayLike) -> Floats:
 
 
 def sphere_occlusion(
-    centre: ArrayLike, radius: float, points: ArrayLike, normals: ArrayLike
+    centre: ArrayLike, radius: ArrayLike, points: ArrayLike, normals: ArrayLike
 ) -> Floats:
-    """Share of the cosine-weighted hemisphere over each point that a sphere hides.
+    """Share (...) of the cosine-weighted hemisphere over each point that a sphere hides, of one
+    sphere or several (..., 3).
 
     Exact if the whole sphere is above the point's horizon: ``cos θ (radius / d)²``, the form factor
     of a sphere (Howell's catalogue, B-43). Below the horizon 0. Never more than 1. Raises
     `ValueError` unless the radius is above 0, and it and all places `LARGEST_M` at most.
     """
-    require("radius", radius, 0 < radius <= LARGEST_M, f"above 0, to {LARGEST_M:g}")
+    radius = np.asarray(radius, float)
+    legal = bool(((radius > 0) & (radius <= LARGEST_M)).all())
+    require("radius", radius, legal, f"above 0, to {LARGEST_M:g}")
     to_centre = np.asarray(centre, float) - np.asarray(points, float)
     _check_points(to_centre)
     square = np.maximum(np.einsum("...i,...i", to_centre, to_centre), NEARLY_ZERO)
