@@ -5,6 +5,7 @@ Ry(pan) Rx(tilt) Rz(roll): pan to the right, tilt upwards, roll to the right.
 """
 
 import math
+from functools import cache
 
 import numpy as np
 
@@ -72,6 +73,15 @@ def draw_body(C: Floats, view: Floats, centre: tuple[float, float], unit: float)
     turned = [(face @ C.T, role) for face, role in roles]
     faces = [Face(face, role, shaded(face, look, _TOWARDS_LIGHT)) for face, role in turned]
     return draw_solids(faces, look)
+
+
+@cache
+def body_from_above(place: Point, aim: Point, unit: float) -> str:
+    """The camera at a place of a plan, turned to another."""
+    length = math.dist(place, aim)
+    across, along = (aim[0] - place[0]) / length, (aim[1] - place[1]) / length
+    C = np.array([(-along, 0.0, across), (across, 0.0, along), (0.0, 1.0, 0.0)])
+    return draw_body(C, np.eye(3), place, unit)
 
 
 def nearest(track: Floats, place: Point, distances: Floats) -> int:

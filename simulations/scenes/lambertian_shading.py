@@ -24,6 +24,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import lambert
 from simulations.scenes import _ball
 from simulations.scenes._ball import CENTRE, HEIGHT, RADIUS, WIDTH, Body
+from simulations.scenes._turned_camera import body_from_above
 
 PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 156.0), 80.0, 60.0  # VECTOR: a unit vector's length
 ARC = 36.0  # radius of the arc of θ
@@ -189,12 +190,8 @@ def angle_theta(probed: drawing.Point, probe_rad: float, light_rad: float, theta
 
 def camera() -> str:
     x, y = PLAN_CENTRE[0], HEIGHT - 12.0
-    lens = [(x - 5, y - 8), (x - 9, y - 15), (x + 9, y - 15), (x + 5, y - 8)]
-    return (
-        drawing.rectangle((x - 14, y - 8), 28, 16, "camera fill")
-        + drawing.polygon(lens, "camera fill")
-        + drawing.text((x + 22, y + 5), "camera", "camera")
-    )
+    name = drawing.text((x + 24, y + 5), "camera", "camera")
+    return body_from_above((x, y - 4), PLAN_CENTRE, 28.0) + name
 
 
 def plan_place(angle_rad: float, radius: float) -> tuple[float, float]:

@@ -23,6 +23,7 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.light.brdf import Material, reflected, schlick, sent_back
 from simulations.scenes._ball import HEIGHT, WIDTH, lamp, outlined_dot
+from simulations.scenes._turned_camera import body_from_above
 from simulations.scenes.brdf import materials
 from simulations.scenes.brdf.materials import BALL, ROUGHEST, SMOOTHEST, LitSphere, lit_spheres
 
@@ -39,6 +40,7 @@ INCIDENCE_DEG = np.arange(0.0, 89.0, 4.0)  # (23,) lights of the curve of the re
 FOOT = (WIDTH / 2, 262.0)
 LAMP, CAMERA = 186.0, 170.0  # drawn distances from the foot; both are far away
 LONGEST = 165.0  # largest length of the lobe, in units of the view box
+CAMERA_UNIT = 30.0  # drawn length of its axes
 UNIT = 140.0  # length of a brightness of 1, unless the lobe would be too long
 APART_DEG = 14.0  # least angle between camera and mirror direction for the label of the latter
 
@@ -142,7 +144,7 @@ def lobe_plot(light_deg: float, view_deg: float, lobe: Floats, seen: float) -> s
             arrow(light, towards(light_deg, 5), "light bold"),
             lamp(light),
             line(FOOT, eye, "camera bold"),
-            outlined_dot(eye, "camera", 5.5, 6),
+            body_from_above(eye, FOOT, CAMERA_UNIT),
             outlined_dot(towards(view_deg, unit * seen), "image", 5),
             dot(FOOT, "world", 4.5),
         )

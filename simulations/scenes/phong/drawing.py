@@ -27,6 +27,7 @@ from simulations.engine.plotting.legend import Entry, legend
 from simulations.models.arrays import Floats
 from simulations.scenes import _ball
 from simulations.scenes._ball import HEIGHT, WIDTH, outlined_dot
+from simulations.scenes._turned_camera import body_from_above
 
 type Direction = tuple[str, float, str]
 """Letter, angle from the normal in radians, colour role."""
@@ -34,6 +35,7 @@ type Direction = tuple[str, float, str]
 FOOT = (WIDTH / 2, 232.0)
 VECTOR = 122.0  # length of a unit vector, and of a brightness of 1
 LAMP_DISTANCE = 150.0  # drawn distance of the lamp above the surface; it is far away
+CAMERA_UNIT = 26.0  # drawn length of its axes
 DEEPEST = HEIGHT - FOOT[1] - 20.0  # largest drawn depth of the lamp below the surface
 AROUND_HIGHLIGHT = 9.0  # radius of its mark, large enough for a sharp highlight inside it
 ABOVE_HIGHLIGHT = 56.0  # its handle is so far above that the finger hides neither it nor the point
@@ -139,7 +141,7 @@ def vectors(light_rad: float, view_rad: float, tip: float) -> Iterator[str]:
     for name, turn, role in found:
         yield arrow(FOOT, towards(turn, VECTOR * near if name == "l" else VECTOR), f"{role} bold")
     yield dot(FOOT, "world", 4.5)
-    yield dot(towards(view_rad, VECTOR), "camera", 4.5)
+    yield body_from_above(towards(view_rad, VECTOR), FOOT, CAMERA_UNIT)
     yield _ball.lamp(lamp_place(light_rad))
     if lit and abs(light_rad) >= SAME_RAD:
         # Equal angles on both sides of the normal: the mirror turns l into r.
