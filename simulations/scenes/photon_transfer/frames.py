@@ -95,7 +95,7 @@ class Settings:
 
     brighten: int = action("Grow brighter", "Pause", drives="light", effect="play", seconds=7.0)
     light: int = slider("Light of the pair shown", 70, 0, BRIGHTEST_PERCENT, 1, unit="% of full")
-    most: int = slider("Fit up to", 70, 5, 100, 1, unit="% of saturation")
+    most: int = slider("Fit up to", 70, 5, 100, 1, unit="% of full")
     pairs: int = slider("Pairs of frames", 12, 4, 24, 1)
     read_noise: float = slider("Read noise", 10, 0, 40, 1, unit="e⁻")
 

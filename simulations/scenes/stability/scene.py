@@ -60,7 +60,7 @@ WIDTH = 400.0
 class Settings:
     formula: str = choice("Formula", FORMULAS)
     digits: str = choice("Numbers", FORMATS)
-    power: float = slider("Distance, 10 to the power", -4.0, LOWEST, 0.0, STEP)
+    power: float = slider("Distance", -4.0, LOWEST, 0.0, STEP, prefix="10^")
 
     @property
     def index(self) -> int:
