@@ -54,10 +54,12 @@ def _lens() -> tuple[list[Floats], Floats]:
 
 
 BARREL, GLASS = _lens()
+VIEWFINDER = _box((-0.22, -0.56, -0.18), (0.22, -0.36, 0.26))  # this side is up
+BUTTON = _box((0.4, -0.44, -0.05), (0.54, -0.36, 0.13))  # this side is right
 BODY: tuple[Floats, ...] = (
     *_box((-0.62, -0.36, -0.22), (0.62, 0.4, 0.3)),
-    *_box((-0.22, -0.56, -0.18), (0.22, -0.36, 0.26)),  # the viewfinder: this side is up
-    *_box((0.4, -0.44, -0.05), (0.54, -0.36, 0.13)),  # the button: this side is right
+    *VIEWFINDER,
+    *BUTTON,
     *BARREL,
 )
 """Corners (n, 3) of each face in camera axes; half the width of the body is 0.62."""

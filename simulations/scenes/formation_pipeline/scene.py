@@ -23,6 +23,7 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb, encode_srgb_codes
 from simulations.models.projection.pinhole import intrinsics, look_at, project, world_to_camera
+from simulations.scenes._turned_camera import BUTTON, VIEWFINDER
 from simulations.scenes.formation_pipeline.stations import (
     CELLS,
     LAMP_COS,
@@ -54,6 +55,13 @@ ORIGIN = np.array([2.0, WALL_DISTANCE - POINT_M[2], 1.5])
 SPECK = ORIGIN + np.array([POINT_M[0], POINT_M[2], -POINT_M[1]])
 LENS_TO_PLANE, LENS_RADIUS_M = 1.0, 0.32  # metres; drawn larger than true
 BODY = 0.6, 0.5, 0.15  # half width and height of the camera, and its depth behind the plane
+TOP = tuple(
+    face @ [(1.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.5, 0.0)] + [0.0, -0.6, 0.14]
+    for box in (VIEWFINDER, BUTTON)
+    for face in (box[0], box[5], box[2], box[4], box[1])
+)
+"""Viewfinder and button in the room, from the centre of the lens, the faces that hide others last;
+the lowest is not seen."""
 FIRST_LEG = 0.2  # share of the way to the lens at which the point is known in camera coordinates
 CELL, LIGHT, WELL, CODE = ((column, 242.0) for column in (50.0, 150.0, 250.0, 350.0))
 """Centres of the tiles below the room."""
@@ -220,7 +228,10 @@ def camera(lens: Floats) -> Iterator[str]:
     yield drawing.polygon(places_in_view_box(*(front[i] for i in (0, 1, 3, 2))), "camera fill")
     yield drawing.polygon(places_in_view_box(*rim), "casing solid")
     yield drawing.polygon(places_in_view_box(*rim), "camera bold fill")
-    above = lens - 1.2 * high * DOWN
+    for face in TOP:
+        corners = places_in_view_box(*(lens + face))
+        yield drawing.polygon(corners, "casing solid") + drawing.polygon(corners, "camera fill")
+    above = lens - 1.6 * high * DOWN
     front_top, plane_top = places_in_view_box(above, above - LENS_TO_PLANE * AHEAD)
     left = max(plane_top[0] + 14.0, 82.0), plane_top[1] - 4.0
     right = max(front_top[0] - 8.0, 94.0), front_top[1] - 4.0
