@@ -49,13 +49,7 @@ class EdgeCurve:
     def spread(self, distance: ArrayLike) -> Floats:
         """ESF (...) at distances (...): of the four B-splines that reach each."""
         first, shares = _shares(np.asarray(distance, float), self.reach)
-        padded = np.concatenate([self.heights, np.zeros(1)])
-        total = np.zeros(first.shape)
-        for place, share in enumerate(shares):
-            number = first + place
-            outside = (number < 0) | (number >= len(self.heights))
-            total += share * padded[np.where(outside, -1, number)]
-        return total
+        return _sum(first, shares, self.heights)
 
     def spread_error(self, distance: ArrayLike) -> Floats:
         """Standard error (...) of the ESF at distances (...)."""
@@ -122,7 +116,7 @@ def fit_curve(distance: Floats, value: Floats, row: Indices, reach: float) -> Ed
     )
     inverse = np.linalg.inv(squares)
     heights = inverse @ sums
-    off = value - sum(shares[place] * heights[first + place] for place in range(len(shares)))
+    off = value - _sum(first, shares, heights)
     spare = max(len(value) - count, 1)
     scatter = _products(first, shares, np.square(off) * len(value) / spare, count)
     noise = float(np.sqrt(np.sum(np.square(off)) / spare))
@@ -178,11 +172,19 @@ def _half_count(reach: float) -> int:
 
 
 def _shares(distance: Floats, reach: float) -> tuple[Indices, Floats]:
-    """The first of the four B-splines that reach each pixel (N,), and the weights (4, N)."""
+    """The first of the four B-splines that reach each pixel (...), and the weights (4, ...)."""
     place = _in_knots(distance) + _half_count(reach)
-    first = np.floor(place).astype(np.intp)
+    first = np.clip(np.floor(place).astype(np.intp), 0, 2 * _half_count(reach))
     t = place - first
     return first, np.stack([weigh(t + 1.0), weigh(t), weigh(1.0 - t), weigh(2.0 - t)])
+
+
+def _sum(first: Indices, shares: Floats, heights: Floats) -> Floats:
+    """Sums (...) of the heights, by `_shares`."""
+    total = np.zeros(first.shape)
+    for place, share in enumerate(shares):
+        total += share * heights[first + place]
+    return total
 
 
 def _products(first: Indices, shares: Floats, scale: Floats, count: int) -> Floats:

@@ -41,19 +41,21 @@ export async function rehearse(
   isNear: () => boolean,
 ) {
   const sliders = controls.filter(isSlider);
-  const moves = PLACES.flatMap((place) => sliders.map((slider) => ({ ...slider, place })));
-  // The last is of the present values: its stages are cached, whatever moves first.
-  const first = sliders.slice(0, 1).map((slider) => ({ ...slider, place: null }));
+  const end = sliders.slice(0, 1).map(({ name }) => [name, values[name]] as const);
+  const moves = PLACES.flatMap((place) =>
+    sliders.map(({ name, min, max }) => [name, min + place * (max - min)] as const),
+  );
   let left = LONGEST_MS;
-  for (const { name, min, max, place } of [...moves, ...first]) {
+  // At the end, the present frame: its stages are cached, whatever moves first.
+  for (const [number, [name, value]] of [...moves, ...end].entries()) {
     while (isUntouched() && !(isNear() && isQuiet())) {
       await new Promise((done) => setTimeout(done, REST_MS));
     }
     if (!isUntouched()) return;
-    if (left < 0 && place !== null) continue;
+    if (left < 0 && number < moves.length) continue;
     const begun = performance.now();
-    const moved = place === null ? {} : { [name]: min + place * (max - min) };
-    await render(JSON.stringify({ ...values, ...moved }), levels.moving(name, begun));
+    const tier = levels.moving(name, begun);
+    await render(JSON.stringify({ ...values, [name]: value }), tier);
     levels.settle(name);
     left -= performance.now() - begun;
   }
