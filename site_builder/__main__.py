@@ -5,12 +5,13 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
 from simulations.registry import LADDER_MODULES
 from site_builder.assets.browser_parts import pack_for_browser
-from site_builder.build import Options, Warn, build_site, check_site
+from site_builder.build import Options, Warn, build_site, check_site, ignore
 from site_builder.cache.hashing import source_hash
 from site_builder.cache.results import Cache, using
 from site_builder.diagnostics.diagnostic import BuildError, Diagnostic, as_json, counted
@@ -73,17 +74,19 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
         case "build":
             if given.bar is not None:
                 show_progress(os.fdopen(given.bar, "w", encoding="utf-8"))
+            options = Options(
+                root=ROOT, runtime=given.runtime, reload=given.reload, warn=warn,
+                address=site_address(given.address), source=source_address(given.source),
+            )  # fmt: skip
             if given.wait:
                 source_hash("site_builder.build")  # cached, for when a line comes
                 read_figures()
                 for folder in (ROOT / "content", ROOT / "simulations", given.out):
                     folder_hash(folder)  # of files that will not have changed by then
+                with suppress(BuildError, OSError, ValueError, RuntimeError):  # reported then
+                    check_site(replace(options, warn=ignore))  # cached too
                 if not sys.stdin.readline():
                     return 0  # the server has ended
-            options = Options(
-                root=ROOT, runtime=given.runtime, reload=given.reload, warn=warn,
-                address=site_address(given.address), source=source_address(given.source),
-            )  # fmt: skip
             files = build_site(options, given.out)
             warned = f"; {counted(warnings, 'warning')}" if warnings else ""
             print(f"{given.out}: {len(files)} files{warned}")

@@ -16,6 +16,7 @@ import zlib
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from site_builder.cache.hashing import UnhashableError, changed_sources, hash_of, source_hash
 from site_builder.diagnostics.diagnostic import Diagnostics
@@ -38,6 +39,8 @@ class Cache:
         self._file = (folder or cache_folder()) / FILE
         self._connection: sqlite3.Connection | None = None
         self._lock = threading.Lock()
+        self.loaded: dict[bytes, Any] = {}
+        """Results that this process has read, by key; they are never changed, and serve again."""
         with self._usable():
             self._file.parent.mkdir(parents=True, exist_ok=True)
             self._connection = sqlite3.connect(
@@ -137,9 +140,11 @@ def cached_result[T](
         key = hash_of(module, name, source_hash(module), arguments)
     except UnhashableError:
         return make()
+    if key in _active.loaded:
+        return _active.loaded[key]  # type: ignore[no-any-return]
     if (data := _active.get(key)) is not None:
         with suppress(Exception):  # whatever a pickle of another version may raise
-            return pickle.loads(data)  # type: ignore[no-any-return]
+            return _active.loaded.setdefault(key, pickle.loads(data))  # type: ignore[no-any-return]
     result = make()
     if is_final(result) and not changed_sources():
         with suppress(pickle.PicklingError, AttributeError, TypeError):

@@ -1,6 +1,7 @@
 """What an exercise says of itself is true: its solution is right and equals its model, what it
 starts with is not, and each wrong answer is wrong and recognised."""
 
+import operator
 from dataclasses import asdict
 from functools import partial
 from time import perf_counter
@@ -9,7 +10,7 @@ from typing import Any
 from simulations.editing.exercise import Exercise, check_claims, findings, model_miss
 from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.cache.hashing import imports_hash
-from site_builder.cache.results import cached
+from site_builder.cache.results import cached_result
 from site_builder.diagnostics.diagnostic import Diagnostics, unknown
 from site_builder.document.blocks import Quiz
 from site_builder.document.book import Book, Chapter
@@ -35,7 +36,10 @@ def _faults(quiz: Quiz, task: CodeTask, chapter: Chapter) -> list[tuple[int, str
         tiers = [tier.id for tier in task.measured.ladder.tiers]
         if task.exercise.tier not in tiers:
             return [(quiz.line, unknown("tier", task.exercise.tier, tiers))]
-    found = _find_faults(task.exercise, task.starter, _sources(task))
+    given = task.exercise, task.starter, _sources(task)
+    found = cached_result(
+        "faults", given, lambda: _find_faults(task.exercise, task.starter), is_final=operator.not_
+    )
     return [(quiz.line if at is None else task.lines[at], message) for at, message in found]
 
 
@@ -48,8 +52,7 @@ def _sources(task: CodeTask) -> bytes:
     return imports_hash("\n".join([*modules, *programs]))
 
 
-@cached
-def _find_faults(exercise: Exercise, starter: str, _sources: bytes) -> list[tuple[int | None, str]]:
+def _find_faults(exercise: Exercise, starter: str) -> list[tuple[int | None, str]]:
     """What is wrong, with the number of the answer: 0 for the solution, None for the start."""
     try:
         run_in_pool(partial(check_claims, exercise))

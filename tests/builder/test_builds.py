@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ from support.little_book import FIXTURES, OUTLINE, MakeBook, rendered
 from support.places import ROOT
 
 from simulations.registry import load_scene
-from site_builder.build import Options, render_site
+from site_builder.build import Options, check_site, render_site
 from site_builder.cache import hashing
 from site_builder.cache import results as cache
 from site_builder.cache.hashing import UnhashableError, hash_of, imports_hash, source_hash
@@ -100,10 +101,16 @@ def test_source_directive_shows_the_function_as_python_finds_it(make_book: MakeB
     assert "def half(x):\n    return x / 2" in shown
 
 
-def built(options: Options, store: Cache | None = None) -> Mapping[str, bytes] | str:
-    """The files of the site, or its mistakes."""
+def built(
+    options: Options, store: Cache | None = None, edit: Callable[[], object] = lambda: None
+) -> Mapping[str, bytes] | str:
+    """The files of the site, or its mistakes; with a cache, by a process that has checked the book
+    before the edit."""
     try:
         with using(store):
+            if store:
+                check_site(options)
+            edit()
             return rendered(options)
     except BuildError as error:
         return str(error)
@@ -124,8 +131,8 @@ def test_cached_build_equals_a_clean_one_after_every_edit(
     for path, old, new in EDITS:
         text = (root / path).read_text(encoding="utf-8")
         assert old in text, old
-        (root / path).write_text(text.replace(old, new), encoding="utf-8")
-        now = built(options, Cache(tmp_path / "cache"))
+        edit = partial((root / path).write_text, text.replace(old, new), encoding="utf-8")
+        now = built(options, Cache(tmp_path / "cache"), edit)
         assert now != before, f"{path}: {new}"
         assert now == built(options), f"{path}: {new}"
         before = now
