@@ -48,7 +48,7 @@ from simulations.models.sensor.photon_transfer_file import SRGB_DN
 from simulations.models.sensor.photon_transfer_standard import standard_estimates
 from simulations.scenes.photon_transfer.frames import Frames, Pair, fit, measure_planes
 from simulations.scenes.single_view.lines import Lines
-from simulations.scenes.single_view.measuring import camera_of, lengths_of
+from simulations.scenes.single_view.measuring import camera_of, lengths_of, with_error
 from simulations.scenes.slanted_edge.edge import Box, edge_pixels, sharpness, tone_of
 from site_builder.benchmarks.quoted_numbers import DATA
 
@@ -254,12 +254,13 @@ def picture(rng: np.random.Generator, world: dict[str, float], _side: int) -> Sc
     found = camera_of(lines, (known, ""), 1.0, False, OWN)
     made = lengths_of(lines, found, math.dist(*true[0]), "floor")
     assert found.view is not None
-    (_, length), (height,) = made.floor, made.height
-    return {
-        "focal length": math.log(found.view.focal_px / FOCAL) / found.focal_error,
-        "length": (length[0] - math.dist(*true[1])) / length[1],
-        "height": (height[0] - 1.0) / height[1],
-    }
+    lengths = (made.floor[1], math.dist(*true[1])), (made.height[0], 1.0)
+    by_length, by_height = (
+        (pair[0] - truth) / pair[1] if "±" in with_error(pair) else math.nan
+        for pair, truth in lengths
+    )
+    by_focal = math.log(found.view.focal_px / FOCAL) / found.focal_error
+    return {"focal length": by_focal, "length": by_length, "height": by_height}
 
 
 def lines_of(axes: list[Floats], lengths: list[Floats]) -> Lines:

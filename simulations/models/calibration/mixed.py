@@ -6,63 +6,141 @@ Sᵢ and gᵢ, and Σ gᵢ = 0 (`left_out`). With all others of the information 
 
     χ² = gᵢᵀ (Sᵢ⁻¹ + (S − Sᵢ)⁻¹) gᵢ / σ²
 
-away from theirs. If one is too far for noise, the photographs are parted in two groups, whose
-cameras are θ + δ and θ − δ. With the sign sᵢ of each, e = Σ sᵢ gᵢ and C = Σ sᵢ Sᵢ, the sum of
-squares falls by eᵀ (S − Cᵀ S⁻¹ C)⁻¹ e, in the space of δ; the largest fall is found by changing
-one sign at a time, from signs at random.
+away from theirs. A lens or a board that is not quite as modelled, and errors that neighbours share,
+set photographs apart as well, but in a distortion of their own as much as in these three numbers.
+So σ² is what a number of a distortion of their own gains on average, if that is more than noise.
+
+Or the photographs are parted in two groups, whose cameras are θ + δ and θ − δ. With the sign sᵢ of
+each, e = Σ sᵢ gᵢ and C = Σ sᵢ Sᵢ, the sum of squares falls by eᵀ (S − Cᵀ S⁻¹ C)⁻¹ e, in the space
+of δ; the largest fall is found by changing one sign at a time, from signs at random.
+
+Both falls are judged by the F distribution, each multiplied by the number of choices that were
+compared: photographs, and ways to part them.
 """
+
+import math
+from dataclasses import replace
 
 import numpy as np
 
 from simulations.models.arrays import Floats, Mask
-from simulations.models.calibration.bundle_adjustment import blocks_of, linearise, reduced
+from simulations.models.calibration.bundle_adjustment import (
+    Adjusted,
+    blocks_of,
+    linearise,
+    reduced,
+    refine,
+)
 from simulations.models.calibration.camera import PINHOLE
 from simulations.models.calibration.model_choice import Trial
 from simulations.models.calibration.views import Views
+from simulations.models.calibration.zhang import UndeterminedError
+from simulations.models.distortion.fisheye import Fisheye
 
-APART = 16.0
-"""χ² for each of the three numbers from which a photograph is by another camera. Errors of corners
-that neighbours share reach 9 in photographs by one camera."""
-CLEAR = 0.15
-"""Share of all differences that two groups may leave within them; in photographs that each have a
-focus of their own they leave a quarter."""
-OPEN = 1e-6
-"""Share of a mean photograph's information that counts as none: one board tells two numbers."""
-RIDGE = 1e-9
-"""Share of the information that keeps what photographs leave open from dividing by zero."""
+FALSE_ALARMS = 5e-3
+"""Share of sets by one camera that each of the two tests may suspect."""
+AGAIN = 0.02
+"""The same of those that are left, once some have been found to differ."""
+OWN = "k1", "k2", "p1", "p2"
+"""Numbers of a distortion of their own; of a fisheye the first two."""
+OPEN, RIDGE = 1e-6, 1e-9
+"""Shares of the information that count as none: one board tells two numbers."""
+LEAST = 4
+"""Photographs that can be compared."""
+GROUPS = 3
+"""Most groups that are taken away one after another."""
 STARTS, ROUNDS = 30, 100
 
 
 def differing(views: Views, trial: Trial) -> tuple[int, ...]:
-    """The smaller of two groups of photographs, if they differ; all, if each differs from the next;
-    none, if all are by one camera."""
+    """The photographs that differ from the larger group, which are taken away in up to `GROUPS`
+    steps until the rest may be by one camera; all, if half does not do; none, if none differs."""
     fit, free = trial.fit, trial.free + trial.fit.poses.shape.names
-    S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, free)))
-    by_own = np.zeros((len(free), 3))  # f as a share, c in px
-    by_own[range(4), (0, 0, 1, 2)] = *fit.camera.values(PINHOLE[:2]), 1.0, 1.0
-    own, share = by_own.T @ S @ by_own, g @ by_own
-    every = own.sum(axis=0)
-    own = own + OPEN / len(own) * np.diag(np.diagonal(every))
-    gains = (share * np.linalg.solve(own, share[..., None])[..., 0]).sum(axis=-1)
-    others = np.linalg.solve(every - own, share[..., None])[..., 0]
-    spare = 2 * views.corners - len(free) - 9 * len(views)
-    noise = (fit.cost - gains.sum()) / max(spare, 1)
-    apart = gains + (share * others).sum(axis=-1)
-    if len(views) < 4 or spare < 1 or apart.max() < 3.0 * APART * noise:
-        return ()
+    every = range(len(views))
+    rest, alarms = list(every), FALSE_ALARMS
+    for _ in range(GROUPS):
+        found = _suspected(views.take(rest), fit, free, alarms)
+        if found is None:
+            return tuple(index for index in every if index not in rest)
+        fit = replace(fit, poses=fit.poses.take(np.flatnonzero(~found).tolist()))
+        rest = [index for index, is_odd in zip(rest, found, strict=True) if not is_odd]
+        if 2 * len(rest) < len(views):
+            break
+        free, alarms = _with_own(fit, free), AGAIN
+        try:
+            fit = refine(views.take(rest), fit.camera, fit.poses, free)
+        except UndeterminedError:
+            return tuple(index for index in every if index not in rest)
+    return tuple(every)
+
+
+def _with_own(fit: Adjusted, free: tuple[str, ...]) -> tuple[str, ...]:
+    """The free parameters, and `OWN` after focal lengths and principal point."""
+    more = OWN[:2] if isinstance(fit.camera.lens, Fisheye) else OWN
+    return (*dict.fromkeys(PINHOLE + more + free),)
+
+
+def _suspected(
+    views: Views, fit: Adjusted, free: tuple[str, ...], false_alarms: float
+) -> Mask | None:
+    """The smaller of the two groups (P,) that differ most, unless all may be by one camera."""
+    count, names = len(views), _with_own(fit, free)
+    more = tuple(name for name in names if name in OWN)
+    S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, names)))
+    own = np.zeros((len(names), 3 + len(more)))  # f as a share, c in px
+    own[range(4), (0, 0, 1, 2)] = *fit.camera.values(PINHOLE[:2]), 1.0, 1.0
+    own[range(4, 4 + len(more)), range(3, 3 + len(more))] = 1.0
+    gains, both = _gains(S, g, own[:, :3]), _gains(S, g, own)
+    spare = 2 * views.corners - len(free) - (9 + len(more)) * count
+    if count < LEAST or spare < 1:
+        return None
+    noise = (fit.cost - both.sum()) / spare
+    noise = max(noise, float(both.sum() - gains.sum()) / (len(more) * count))
+    is_free = [names.index(name) for name in free]
+    S, g, own = S[:, is_free][:, :, is_free], g[:, is_free], own[is_free, :3]
+    every = own.T @ S.sum(axis=0) @ own
+    each = own.T @ S @ own
+    share = g @ own
+    apart = gains + (share * _solved(every - each, share)).sum(axis=-1)
     decentred = np.eye(len(free))[:, [name in ("p1", "p2") for name in free]]
-    is_first, gain, losses = _parted(S, g, np.hstack((by_own, decentred)))
-    if gain < (1.0 - CLEAR) * gains.sum():
-        return tuple(range(len(views)))
-    smaller = is_first if 2 * np.count_nonzero(is_first) <= len(views) else ~is_first
-    noise = (fit.cost - gain) / spare
-    return tuple(np.flatnonzero(smaller & (losses > 3.0 * APART * noise)).tolist())
+    is_first, gain = _parted(S, g, np.hstack((own, decentred)))
+    smaller = is_first if 2 * np.count_nonzero(is_first) <= count else ~is_first
+    ways = math.comb(count, np.count_nonzero(smaller)) * (count // 2)
+    numbers = 3 + decentred.shape[1]
+    left = 3 * (count - 1) - numbers
+    within = max(float(gains.sum()) - gain, left * noise)
+    alarms = (
+        count * _exceeded(apart.max() / noise, 3, len(more) * count),
+        ways * _exceeded(left * gain / within, numbers, left),
+    )
+    return smaller if min(alarms) < false_alarms else None
 
 
-def _parted(S: Floats, g: Floats, by_odd: Floats) -> tuple[Mask, float, Floats]:
+def _solved(matrices: Floats, right: Floats) -> Floats:
+    """Solutions (..., m) of symmetric equations, without what they leave open."""
+    scale = 1.0 / np.sqrt(np.maximum(np.diagonal(matrices, axis1=-2, axis2=-1), 1e-300))
+    even = matrices * scale[..., :, None] * scale[..., None, :] + OPEN * np.eye(right.shape[-1])
+    return np.asarray(scale * np.linalg.solve(even, (scale * right)[..., None])[..., 0])
+
+
+def _gains(S: Floats, g: Floats, own: Floats) -> Floats:
+    """(P,) by how much the sum of squares falls if a photograph has ``own`` (m, k) for itself."""
+    share = g @ own
+    return np.asarray((share * _solved(own.T @ S @ own, share)).sum(axis=-1))
+
+
+def _exceeded(squares: float, numbers: int, left: int) -> float:
+    """Probability that noise makes this sum of squares of numbers whose σ² is the mean of the
+    squares of ``left`` others: at most, as (1 − t)^(numbers/2 − 1) ≤ 1 in the incomplete beta
+    function."""
+    a, b = 0.5 * left, 0.5 * numbers
+    x = left / (left + squares)
+    return math.exp(a * math.log(x) + math.lgamma(a + b) - math.lgamma(a + 1.0) - math.lgamma(b))
+
+
+def _parted(S: Floats, g: Floats, by_odd: Floats) -> tuple[Mask, float]:
     """The two groups of photographs (P,) whose cameras differ most, in what ``by_odd`` (m, k) has
-    of the parameters; by how much the sum of squares falls with them, and by how much less (P,) if
-    one photograph is in the other group."""
+    of the parameters, and by how much the sum of squares falls with them."""
     every = S.sum(axis=0)
     scale = 1.0 / np.sqrt(np.diagonal(every))
     root = np.linalg.cholesky(every * scale * scale[:, None] + RIDGE * np.eye(len(every)))
@@ -80,10 +158,11 @@ def _parted(S: Floats, g: Floats, by_odd: Floats) -> tuple[Mask, float, Floats]:
         now = gain(e, C)
         twice = 2.0 * signs[..., None]
         then = gain(e[:, None] - twice * share, C[:, None] - twice[..., None] * across)
+        then[abs(signs.sum(axis=1, keepdims=True) - twice[..., 0]) > len(S) - 1] = 0.0
         best = then.argmax(axis=1)
         better = np.flatnonzero(then[range(STARTS), best] > now * (1.0 + RIDGE))
         if not len(better):
             break
         signs[better, best[better]] *= -1.0
     first = int(now.argmax())
-    return signs[first] > 0.0, float(now[first]), now[first] - then[first]
+    return signs[first] > 0.0, float(now[first])

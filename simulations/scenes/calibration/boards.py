@@ -158,7 +158,8 @@ def _notes(
     ways = [facts_of_one.get("orientation", 1.0) for facts_of_one in facts]
     (usual, _), *_ = Counter(ways).most_common(1)
     if turned := [name for name, way in zip(names, ways, strict=True) if way != usual]:
-        yield f"The camera was turned for {listed(turned)}; leave them out."
+        them = "it" if len(turned) == 1 else "them"
+        yield f"The camera was turned for {listed(turned)}; leave {them} out."
     focal = sorted({float(f["focal_mm"]) for f in facts if f.get("focal_mm")})
     if len(focal) > 1:
         yield (

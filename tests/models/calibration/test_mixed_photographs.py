@@ -1,5 +1,7 @@
 """Photographs that one camera cannot have taken are found, and those by one are not suspected."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from support.chequerboards import BENT_SIZE, BOARD, BOARD_WORLDS, SIGMA_PX, bent_views
@@ -17,7 +19,15 @@ from simulations.models.calibration.model_choice import (
 from simulations.models.calibration.simulated import sitting
 from simulations.models.calibration.views import Views
 
-MIXES = ("turned", "mirrored", "zoom of 5 %", "zoom of 15 %", "focus of 2 %", "focus of 5 %")
+MIXES = (
+    "turned",
+    "quarter turned",
+    "mirrored",
+    "zoom of 5 %",
+    "zoom of 15 %",
+    "focus of 2 %",
+    "focus of 5 %",
+)
 
 
 def mixed(kind: str, count: int, seed: int) -> tuple[Views, Mask]:
@@ -25,7 +35,11 @@ def mixed(kind: str, count: int, seed: int) -> tuple[Views, Mask]:
     focal length of their own, longer the nearer the board."""
     rng = np.random.default_rng((seed, count, len(kind)))
     camera, _ = bent_views({}, rng, 2)
-    poses = sitting(camera, BENT_SIZE, count, BOARD, int(rng.integers(10**9))).poses
+    size = BENT_SIZE
+    if kind == "quarter turned":  # of a square picture
+        size = (BENT_SIZE[0], BENT_SIZE[0])
+        camera = replace(camera, cy=camera.cy + 0.5 * (BENT_SIZE[0] - BENT_SIZE[1]))
+    poses = sitting(camera, size, count, BOARD, int(rng.integers(10**9))).poses
     odd = rng.permutation(count) < count // 2
     longer = 1.0 + odd * float(kind.split()[-2]) / 100 if "%" in kind else np.ones(count)
     if "focus" in kind:
@@ -36,7 +50,9 @@ def mixed(kind: str, count: int, seed: int) -> tuple[Views, Mask]:
     middle = (camera.cx, camera.cy)
     pixels = (camera.pixels(corners) - middle) * longer[:, None, None] + middle
     pixels += rng.normal(0.0, SIGMA_PX, pixels.shape)
-    last = np.array(BENT_SIZE) - 1.0
+    last = np.array(size) - 1.0
+    if kind == "quarter turned":
+        pixels[odd] = np.stack((pixels[odd, :, 1], last[1] - pixels[odd, :, 0]), axis=-1)
     if kind == "turned":
         pixels[odd] = last - pixels[odd]
     if kind == "mirrored":
