@@ -97,16 +97,13 @@ def _suspected(
     noise = (fit.cost - both.sum()) / spare
     noise = max(noise, float(both.sum() - gains.sum()) / (len(more) * count))
     is_free = [names.index(name) for name in free]
-    S, g, own = S[:, is_free][:, :, is_free], g[:, is_free], own[is_free, :3]
-    every = own.T @ S.sum(axis=0) @ own
-    each = own.T @ S @ own
-    share = g @ own
-    apart = gains + (share * _solved(every - each, share)).sum(axis=-1)
-    decentred = np.eye(len(free))[:, [name in ("p1", "p2") for name in free]]
-    is_first, gain = _parted(S, g, np.hstack((own, decentred)))
+    by_odd = own[:, [0, 1, 2, *range(5, own.shape[1])]]  # without k1 and k2
+    is_first, gain = _parted(S, g, by_odd, is_free)
+    share, each = g @ own[:, :3], own[:, :3].T @ S @ own[:, :3]
+    apart = gains + (share * _solved(each.sum(axis=0) - each, share)).sum(axis=-1)
     smaller = is_first if 2 * np.count_nonzero(is_first) <= count else ~is_first
     ways = math.comb(count, np.count_nonzero(smaller)) * (count // 2)
-    numbers = 3 + decentred.shape[1]
+    numbers = by_odd.shape[1]
     left = 3 * (count - 1) - numbers
     within = max(float(gains.sum()) - gain, left * noise)
     alarms = (
@@ -138,13 +135,15 @@ def _exceeded(squares: float, numbers: int, left: int) -> float:
     return math.exp(a * math.log(x) + math.lgamma(a + b) - math.lgamma(a + 1.0) - math.lgamma(b))
 
 
-def _parted(S: Floats, g: Floats, by_odd: Floats) -> tuple[Mask, float]:
+def _parted(S: Floats, g: Floats, by_odd: Floats, free: list[int]) -> tuple[Mask, float]:
     """The two groups of photographs (P,) whose cameras differ most, in what ``by_odd`` (m, k) has
-    of the parameters, and by how much the sum of squares falls with them."""
+    of the parameters, and by how much the sum of squares falls with them; common to both are those
+    that are ``free``."""
     every = S.sum(axis=0)
-    scale = 1.0 / np.sqrt(np.diagonal(every))
-    root = np.linalg.cholesky(every * scale * scale[:, None] + RIDGE * np.eye(len(every)))
-    across = np.linalg.solve(root, scale[:, None] * (S @ by_odd))  # Cᵀ S⁻¹ C is its square
+    common = every[np.ix_(free, free)]
+    scale = 1.0 / np.sqrt(np.diagonal(common))
+    root = np.linalg.cholesky(common * scale * scale[:, None] + RIDGE * np.eye(len(free)))
+    across = np.linalg.solve(root, scale[:, None] * (S[:, free] @ by_odd))  # CᵀS⁻¹C is its square
     share, odd = g @ by_odd, by_odd.T @ every @ by_odd
 
     def gain(e: Floats, C: Floats) -> Floats:

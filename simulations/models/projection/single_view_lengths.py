@@ -64,8 +64,8 @@ def measured(
     known : a length of ``known_metres``, which counts as exact; its ends do not.
     others : what is measured.
     sigma_px : standard deviation of an end in x and in y; with the camera's covariance it decides
-        the standard errors: of logarithms, to first order; those of the lengths are half of the
-        longer side of the interval of two.
+        the standard errors: of logarithms, to first order; those of the lengths are a quarter of
+        the longer side of the interval of four.
     normal : the axis at right angles to the plane: 2 for the floor.
 
     Raises `ValueError` if the known length has no length, is beyond the plane's horizon, or a
@@ -94,7 +94,7 @@ def measured(
         relative = np.einsum("ni,ij,nj->n", apart, view.covariance, apart)
         relative += np.append(variance[1:], 0.0) + variance[0]
         metres = known_metres * np.append(found[1:], 1.0) / found[0]
-        errors = metres * 0.5 * np.expm1(2.0 * np.sqrt(relative))
+        errors = metres * 0.25 * np.expm1(4.0 * np.sqrt(relative))
     return Measured(metres[:-1], errors[:-1], float(metres[-1]), float(errors[-1]))
 
 
