@@ -5,7 +5,7 @@ and the specular strength upwards.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 
@@ -118,37 +118,28 @@ def bare_wall() -> Raster:
 def chart(samples_lit: tuple[LitSphere, ...], albedo: float) -> Raster:
     """(H, W, 4) bytes of the panel without its ball."""
     picture = bare_wall().copy()
-    paste(picture, SAMPLE, samples_lit, albedo, [in_chart(*material) for material in samples()])
+    for material, light in zip(samples(), samples_lit, strict=True):
+        paste(picture, SAMPLE, light, albedo, in_chart(*material))
     return picture
 
 
 def with_ball(chart: Raster, light: LitSphere, albedo: float) -> Raster:
     """(H, W, 4) bytes of the whole panel."""
     picture = chart.copy()
-    paste(picture, BALL, (light,), albedo, [CENTRE])
+    paste(picture, BALL, light, albedo, CENTRE)
     return picture
 
 
-def paste(
-    picture: Raster,
-    of: Sphere,
-    lights: Sequence[LitSphere],
-    albedo: float,
-    middles: Sequence[Point],
-) -> None:
-    """Put the squares of spheres, with the wall around them, into the picture."""
-    pixels, size = lights[0].pixels, len(of.unlit)
-    matte, mirrored = (
-        np.stack([getattr(light, part) for light in lights]) for part in ("matte", "mirrored")
-    )
-    tint, wall = (colour[:, None, None] for colour in (np.float32(albedo) * TINT, WALL))
-    mixed = encode_srgb_codes(wall + of.cover[pixels] * (mirrored + matte * tint - wall))
-    for number, middle in enumerate(middles):
-        raster = of.unlit.copy()
-        for channel, codes in enumerate(mixed[:, number]):
-            raster.reshape(-1, 4)[pixels, channel] = codes
-        left, top = (round(FINE * each - size / 2) for each in (middle[0], middle[1]))
-        picture[top : top + size, left : left + size] = raster
+def paste(picture: Raster, of: Sphere, light: LitSphere, albedo: float, middle: Point) -> None:
+    """Put the square of a sphere, with the wall around it, into the picture."""
+    raster, cover = of.unlit.copy(), of.cover[light.pixels]
+    tint, wall = (np.float32(albedo) * TINT)[:, None], WALL[:, None]
+    mixed = wall + cover * (light.mirrored + light.matte * tint - wall)
+    for channel, codes in enumerate(encode_srgb_codes(mixed)):
+        raster.reshape(-1, 4)[light.pixels, channel] = codes
+    size = len(raster)
+    left, top = (round(FINE * each - size / 2) for each in (middle[0], middle[1]))
+    picture[top : top + size, left : left + size] = raster
 
 
 def on_equator(angle_deg: float) -> tuple[float, float]:
