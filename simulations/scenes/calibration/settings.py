@@ -8,12 +8,12 @@ from simulations.scenes.calibration.stages import SHEET, SUPPORTED
 
 LENSES = {
     "none": "No distortion",
-    "k1": "k₁",
-    "k1k2": "k₁ and k₂",
-    "p1p2": "k₁, k₂, p₁, p₂",
-    "k3": "k₁, k₂, p₁, p₂, k₃",
-    "rational": "k₁ to k₆, p₁, p₂",
-    "fisheye": "fisheye, k₁ to k₄ of the angle",
+    "k1": "One radial term, k₁",
+    "k1k2": "Two radial terms, k₁ and k₂",
+    "p1p2": "Two radial and two tangential terms",
+    "k3": "Three radial and two tangential terms",
+    "rational": "Six radial and two tangential terms",
+    "fisheye": "Fisheye, four terms of the angle",
 }
 """The models of the lens by their names in `models.calibration.camera.LENSES`."""
 BOARDS = {"flat": "flat", "bent": "bent alike everywhere", "warped": "any smooth shape"}
@@ -31,7 +31,7 @@ DETAILS = {
 @dataclass(frozen=True, slots=True)
 class Settings:
     photographs: int = slider("Photographs", 5, LEAST, MOST, 1)
-    lens: str = choice("Model of the lens", LENSES | {SUPPORTED: "the supported one"}, default="k1")
+    lens: str = choice("Model of the lens", LENSES | {SUPPORTED: "The supported one"}, default="k1")
     shown: int = slider("Photograph shown", 3, 1, MOST, 1)
     detail: str = choice("Details", DETAILS)
     without: int = slider("Photograph left out (0: none)", 0, 0, MOST, 1)
