@@ -78,29 +78,6 @@ def test_slow_figure_moves_at_a_cheaper_level_and_reports_it(guest: Reader, book
     figure.evaluate("figure => figure.unslowed()")
 
 
-NOTE_RENDERED = """() => {
-  const post = Worker.prototype.postMessage;
-  window.rendered = [];
-  Worker.prototype.postMessage = function (message, ...rest) {
-    if (message.call === 'render') rendered.push([message.scene, JSON.parse(message.values)]);
-    return post.call(this, message, ...rest);
-  };
-}"""
-TRIED = """([scene, name]) =>
-  new Set(rendered.filter(([other]) => other === scene).map(([, values]) => values[name])).size"""
-
-
-def test_sliders_are_tried_unseen_while_the_reader_rests(visitor: Reader, book: Any) -> None:
-    visitor.page.evaluate(NOTE_RENDERED)
-    scene = load_scene("lost-corner")
-    figure = visitor.turn_to_figure(book, scene.id)
-    sliders = [control.name for control in scene.controls if control.kind == "slider"]
-    for name in sliders:
-        visitor.page.wait_for_function(f"named => ({TRIED})(named) > 2", arg=[scene.id, name])
-    assert figure.get_attribute("data-frames") == "1"
-    assert values(figure, *sliders) == starts(figure, *sliders)
-
-
 def test_automatic_within_an_error_takes_the_cheapest_level_that_keeps_it(
     guest: Reader, book: Any
 ) -> None:

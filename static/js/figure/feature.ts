@@ -11,7 +11,6 @@ import { sharedRuntime } from "../runtime/runtime.ts";
 import { prefersReducedMotion } from "./animate.ts";
 import { withParts } from "./parts.ts";
 import { SimulationFigure } from "./element.ts";
-import { isQuiet, watchInput } from "./rehearsal.ts";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
 export function install() {
@@ -165,10 +164,18 @@ function nudgeFirstHandle() {
   watcher.observe(handle);
 }
 
-/** Milliseconds between looks whether the reader rests. */
+/** Milliseconds of rest after the last input. */
 const REST_MS = 500;
 /** After anything that the reader waits for. */
-const URGENCY = () => -3;
+const URGENCY = () => -2;
+
+let lastInput = 0;
+
+function watchInput() {
+  for (const kind of ["pointerdown", "pointermove", "keydown", "input"]) {
+    addEventListener(kind, () => (lastInput = performance.now()), { passive: true });
+  }
+}
 
 /**
  * Once all figures of a page are live and the reader rests, the scenes of the next chapter are
@@ -198,5 +205,5 @@ function isAtRest() {
   const shown = "simulation-figure:not(details:not([open]) *)";
   const figures = findAll(document, shown, HTMLElement);
   const live = figures.length > 0 && figures.every(({ dataset }) => dataset.state === "live");
-  return live && isQuiet();
+  return live && performance.now() - lastInput > REST_MS;
 }

@@ -25,7 +25,6 @@ import { ReaderPicture } from "./reader_picture.ts";
 import { Painter, adoptInitialFrames } from "./painter.ts";
 import { Prerendered } from "./prerendered.ts";
 import { areFolded, Mirrors, withParts } from "./parts.ts";
-import { rehearse } from "./rehearsal.ts";
 import { attemptTwice, startAll, retryAll, reportWaiting } from "./recovery.ts";
 import { LatestWins } from "./scheduler.ts";
 import { Accuracy, showStages, type Stage } from "./stage_report.ts";
@@ -46,7 +45,7 @@ type Job = {
 };
 
 /** A frame that the reader waits for goes before one that only should be ready. */
-const URGENCY = { rehearsed: -2, idle: -1, far: 0, near: 1, touched: 2, held: 3 };
+const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
 
 export type Sound = { rate: number; samples: Float32Array<ArrayBuffer> };
 
@@ -352,16 +351,7 @@ export class LiveFigure {
     const job = this.#near ? this.#uncached : null;
     if (!job) return;
     this.#uncached = null;
-    this.#compute(job)
-      .then(() => this.#rehearse(job))
-      .catch(() => {}); // reported when the figure is touched
-  }
-
-  async #rehearse({ tier }: Job) {
-    const isUntouched = () => this.figure.dataset.frames === "1" && tier === this.levels.rest;
-    const render = (values: string, tier: string) =>
-      this.runtime.call("render", this.#request(values, tier), () => URGENCY.rehearsed);
-    await rehearse(this.schema, this.levels, render, isUntouched, () => this.#near);
+    this.#compute(job).catch(() => {}); // reported when the figure is touched
   }
 
   async #compute(job: Job) {
