@@ -120,11 +120,14 @@ def _clipped(frames: NDArray[np.unsignedinteger], highest: int, noisy: bool) -> 
 
 
 def _step(frames: NDArray[np.unsignedinteger]) -> float:
-    """Mean step between the codes of the middle two thirds of the pixels."""
+    """Mean step between the codes of the middle two thirds of the pixels; if these have one code,
+    the smallest between any."""
     counts = np.bincount(frames.ravel())
     places = np.searchsorted(np.cumsum(counts), (frames.size // 6, 5 * frames.size // 6))
     used = np.flatnonzero(counts[places[0] : places[1] + 1])
-    return float(np.ptp(used)) / (len(used) - 1) if len(used) > 1 else 1.0
+    if len(used) > 1:
+        return float(np.ptp(used)) / (len(used) - 1)
+    return float(min(np.diff(np.flatnonzero(counts)), default=1))
 
 
 def _shared(difference: Floats, variance: float, axis: int) -> float:
