@@ -404,17 +404,17 @@ ROWS: dict[str, tuple[Callable[[np.random.Generator], Scores], int, dict[str, fl
         "length": 0.94, "height": 0.96, "distance": 1.11, "vanishing point": 1.05,
     }),
     "camera": (calibrated, 120, {
-        "fx": 0.95, "cx": 0.94, "k1": 0.77, "fx, if all is noise": 1.06,
-        "k1, by photographs": 0.90, "fx of six photographs": 0.90,
+        "fx": 0.80, "cx": 0.75, "k1": 0.64, "fx, if all is noise": 1.06,
+        "k1, by photographs": 0.67, "fx of six photographs": 0.72,
     }),
-    "bent board": (bent_board, 100, {"height": 1.06, "aspect": 0.92}),
-    "camera, decentring left out": (off_centre, 100, {"cx": 0.72}),
+    "bent board": (bent_board, 100, {"height": 1.06, "aspect": 0.80}),
+    "camera, decentring left out": (off_centre, 100, {"cx": 0.63}),
 }  # fmt: skip
 """Function, number of cases, and the root mean square of the deviations in these. It is off 1 by
 chance, and where errors are larger by intention: the larger of two errors (edges, cameras), several
 sources that may add up (tone curve, decentring), a place by one of the colours (lateral colour),
-a third for √(1 / 12) (full well), few lines that tell the error of an end (behind a lens). Four
-degrees of freedom (rough sensor) make it √2."""
+a third for √(1 / 12) (full well), few lines or photographs that tell an error roughly (lines behind
+a lens, cameras, boards). Four degrees of freedom (rough sensor) make it √2."""
 
 
 @pytest.mark.parametrize("row", ROWS)

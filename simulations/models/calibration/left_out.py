@@ -21,6 +21,10 @@ from simulations.models.calibration.bundle_adjustment import (
 )
 from simulations.models.calibration.views import Views
 
+FEWER = 4.0
+"""By how many fewer photographs, but at least half, the spread between them is divided: then three
+errors hold a number as often as of a normal distribution (Student's t)."""
+
 
 def steps_without(S: Floats, g: Floats) -> Floats:
     """(P, m) how the parameters change without each photograph; raises `LinAlgError`."""
@@ -46,13 +50,15 @@ def left_out_px(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Floats:
 
 
 def spread(S: Floats, g: Floats) -> Floats:
-    """(m) the jackknife's standard errors, from each photograph's part of the equations; 0 where
-    they do not bear that one is left out."""
+    """(m) the jackknife's standard errors, from each photograph's part of the equations, widened as
+    few photographs tell them roughly; 0 where they do not bear that one is left out."""
     try:
         moved = steps_without(S, g) + solve_scaled(S.sum(axis=0), g.sum(axis=0))
     except np.linalg.LinAlgError:
         return np.zeros(S.shape[-1])
-    return np.sqrt((1.0 - 1.0 / len(S)) * (moved * moved).sum(axis=0))
+    others = len(S) - 1.0
+    few = others / max(others - FEWER, 0.5 * others)
+    return np.sqrt(few * others / len(S) * (moved * moved).sum(axis=0))
 
 
 @dataclass(frozen=True, slots=True)
