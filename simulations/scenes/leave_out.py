@@ -173,7 +173,7 @@ def costs(settings: Settings, complete: Complete, rms: float) -> Iterator[str]:
     yield line((half, FIRST - 18), (half, low), "muted thin dashed")
     yield text((half, FIRST - 24), "½", "muted small", "middle")
     yield text((CODES_END, FIRST - 24), "codes", "error small", "end")
-    yield text((MS_END, FIRST - 24), "ms", "muted small", "end")
+    yield text((MS_END, FIRST - 24), "ms saved", "muted small", "end")
     for index, (name, reason) in enumerate(reasons(settings.photo).items()):
         row, cost, inside = FIRST + ROW * index, complete.costs[name], getattr(settings, name)
         yield text((6, row), LABELS[name], "strong" if inside else "muted")
@@ -195,10 +195,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     complete, simpler, difference = outputs["pictures"]
     photograph = wiped(complete, simpler, settings.split)
     names = over_wipe(settings.split, WIDTH, HEIGHT, ("complete", "simpler"))
-    overlay, title = (
-        "".join(costs(settings, reference, taken.rms)),
-        f"Difference from the complete model, × {MAGNIFY}",
-    )
+    overlay = "".join(costs(settings, reference, taken.rms))
+    title = f"Difference from the complete model, × {MAGNIFY}"
     words = f"without {', '.join(missing)}" if missing else "by the complete model"
     return Frame(
         (
@@ -231,7 +229,7 @@ def times(settings: Settings, clock: Clock) -> Iterator[Readout]:
     measured, left = savings(PHOTOS[settings.photo][1], clock, ROUNDS), omitted_effects(settings)
 
     def time(name: str, ms: float) -> Readout:
-        return Readout(name, "Time saved", format_number(ms, 1), "ms")
+        return Readout(name, "Time saved", format_number(ms, 1) if ms >= 0.05 else "none", "ms")
 
     for name, saved in zip(cycle(EFFECTS), measured, strict=False):
         yield time(name, saved[name])

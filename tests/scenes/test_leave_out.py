@@ -44,7 +44,7 @@ def test_leaving_out_an_effect_saves_the_time_of_its_stage() -> None:
     listed = list(SCENE.estimates(given, "", StageCache(), clock=lambda: float(next(ticks))))
     assert len(listed) == ROUNDS * (len(EFFECTS) + 1)
     last = {each.name: each.text for each in listed}
-    assert last == dict.fromkeys(EFFECTS, "0.0") | {
+    assert last == dict.fromkeys(EFFECTS, "none") | {
         "blur": "1000.0",
         "falloff": "1000.0",
         "saved": "1000.0",
