@@ -63,7 +63,7 @@ def transfer(
     yield plot.region(x=(end, measured.span_dn))
     yield plot.frame(
         MEANS,
-        Scale("variance of the noise", "DN²", 4, grid=(), style="small", tick_style="muted small"),
+        Scale("variance of the noise", "DN²", 4, style="small", tick_style="muted small"),
     )
     if estimate.noise:  # solid as far as it was fitted
         x = np.linspace(0.0, plot.x.high, 101)
@@ -89,7 +89,9 @@ def transfer(
     yield legend((LEFT, HEIGHT - 8), entries, "small", RIGHT - LEFT)
 
 
-def pattern(measured: Measured, estimate: SensorEstimate, simulated: bool) -> Iterator[str]:
+def pattern(
+    measured: Measured, estimate: SensorEstimate, shown: int, simulated: bool
+) -> Iterator[str]:
     """Standard deviation of what both frames share, against the mean."""
     variance = np.array([level.pattern_dn2 for level in measured.levels])
     error = BARS * np.array([level.pattern_error_dn2 for level in measured.levels])
@@ -97,17 +99,18 @@ def pattern(measured: Measured, estimate: SensorEstimate, simulated: bool) -> It
         np.sqrt(np.maximum(each, 0.0)) for each in (variance - error, variance, variance + error)
     )
     plot = plot_of(measured, 1.1 * top, HIGHEST_DN if simulated else 0.0)
-    yield plot.frame(
-        MEANS,
-        Scale(
-            "pattern from cell to cell", "DN", 4, grid=(), style="small", tick_style="muted small"
-        ),
-    )
+    up = Scale("pattern from cell to cell", "DN", 4, style="small", tick_style="muted small")
+    yield plot.frame(MEANS, up)
     if estimate.pattern is not None:
         x = np.linspace(0.0, measured.span_dn, 101)
         shared = estimate.pattern.start + estimate.pattern.slope * x**2
         yield plot.curve(x, np.sqrt(np.maximum(shared, 0.0)), "ray bold")
     yield from points(plot, measured.mean_dn, root, (foot, top), estimate.fitted, "error")
+    if shown >= 0:
+        light, here = float(measured.mean_dn[shown]), float(root[shown])
+        words = f"{format_number(here, 1)} DN in a light of {format_number(light, 0)} DN"
+        yield cased(circle, plot.clamped(light, here), 8.0, style="error bold")
+        yield text((LEFT + 14, TOP + 14), words, "error strong ground")
     entries = (
         Entry(f"pair ± {BARS:.0f} errors", "error", "dot"),
         Entry("DSNU and PRNU, fitted", "ray bold"),
@@ -179,7 +182,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     levels: Measured = outputs["levels"][frames.main]
     simulated, shown = frames.is_simulated, outputs["shown"]
     noise = "".join(transfer(levels, sensor, settings.most, shown, simulated))
-    shared = "".join(pattern(levels, sensor, simulated))
+    shared = "".join(pattern(levels, sensor, shown, simulated))
     pixels = pair_pixels(frames, levels, shown)
     size = CELL * pixels.shape[1], CELL * pixels.shape[0]
     names = "".join(named(levels.levels[shown], levels.black_dn)) if shown >= 0 else ""
@@ -229,13 +232,29 @@ def end_at(settings: Settings, outputs: Outputs) -> Point:
     return LEFT + share * (RIGHT - LEFT), FOOT
 
 
+def pair_at(_settings: Settings, outputs: Outputs) -> Point | None:
+    """The pair shown of the simulated sensor, on the chart of the pattern."""
+    frames: Frames = outputs["frames"]
+    if not frames.is_simulated:
+        return None
+    levels: Measured = outputs["levels"][frames.main]
+    light, level = levels.mean_dn[outputs["shown"]], levels.levels[outputs["shown"]]
+    plot = plot_of(levels, levels.mean_dn, HIGHEST_DN)
+    return plot.clamped(float(light), math.sqrt(max(level.pattern_dn2, 0.0)))
+
+
 SCENE = Scene(
     "photon-transfer",
     "A Sensor Measured by Its Noise",
     Settings,
     draw,
     STAGES,
-    (Handle("end", "transfer", "End of the fit", ("most",), end_at, reach="press", role="camera"),),
+    (
+        Handle(
+            "end", "transfer", "End of the fit", ("most",), end_at, reach="press", role="camera"
+        ),
+        Handle("pair", "pattern", "Pair shown", ("light",), pair_at, reach="press", role="error"),
+    ),
     instrument=Instrument(
         photograph=Whole(SMALL, mosaic=True),
         read=read,
