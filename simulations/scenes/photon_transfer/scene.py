@@ -40,7 +40,9 @@ from simulations.scenes.photon_transfer.results import EXPORTS, measured, readou
 SMALL = 0.1  # megapixels of the photograph that is looked at: it only chooses the pair
 SIZE = WIDTH, HEIGHT = 400.0, 300.0
 LEFT, RIGHT, FOOT, TOP = 50.0, 380.0, 228.0, 34.0
-MEANS = Scale("mean above black", "DN", style="small", tick_style="muted small")
+MEANS = Scale(
+    "light: mean above black", "digital numbers (DN)", style="small", tick_style="muted small"
+)
 ROWS, COLUMNS, GAP = 100, 66, 2  # of the part of a frame shown, and the space between two, in px
 CELL = 3.0  # side of a pixel in the panel
 SPREAD = 3.5  # standard deviations from mid-grey to white
@@ -77,8 +79,8 @@ def transfer(
         place = plot.clamped(float(mean[shown]), float(noise[shown]))
         yield cased(circle, place, 8.0, style="image bold")
     if not reason:
-        words = f"{value_of(estimate.gain)} e⁻/DN"
-        yield text((LEFT + 14, TOP + 34), words, "ray large strong ground")
+        yield text((LEFT + 14, TOP + 26), value_of(estimate.gain), "ray large strong ground")
+        yield text((LEFT + 14, TOP + 46), "electrons per digital number", "ray small ground")
     for number, words in enumerate(wrap(reason, WORDS)):
         yield text((LEFT + 10, TOP + 16 + 19 * number), words, "error small ground")
     entries = (
