@@ -40,8 +40,8 @@ NUMBER = (16.0, 34.0)  # place of the one large number
 ACROSS = Axis(0.0, float(len(LENSES)), LEFT, RIGHT)
 COUNTS = Axis(LEAST, MOST, 58.0, RIGHT, log=True)  # of photographs
 COUNTED = (3, 5, 10, 20, 40)
-TICKS = ("none", "k₁", "+ k₂", "+ p₁p₂", "+ k₃", "rational", "fisheye")
-"""Each model has the coefficients of those before it, but the fisheye, which has its own four."""
+TICKS = ("none", "1", "2", "2 + 2", "3 + 2", "6 + 2", "fisheye")
+"""Each model has the terms of those before it, but the fisheye, which has its own four."""
 SETTLED_FROM = 5
 """Count from which errors must fit into the plot; with fewer they may be huge."""
 LEAST_REACH = 0.01
@@ -155,7 +155,11 @@ def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
     parts = [
         plot.region(x=(middle - 0.5, middle + 0.5)),
         plot.frame(
-            Scale(ticks=[(index + 0.5, name) for index, name in enumerate(TICKS)], style="small"),
+            Scale(
+                "terms: radial + tangential",
+                ticks=[(index + 0.5, name) for index, name in enumerate(TICKS)],
+                style="small",
+            ),
             Scale(
                 "RMS error",
                 "px",
