@@ -111,18 +111,18 @@ def transfer_plot(
     plot = curve.plot
     means, variances = (log_ticks(axis.low, axis.high, 3) for axis in (plot.x, plot.y))
     grids = ([value for value, _ in ticks] for ticks in (means, variances))
-    across = Scale("mean", "DN", means, grid=next(grids), tick_style="muted small", centred=True)
+    across = Scale(
+        "light: mean",
+        "digital numbers (DN)",
+        means,
+        grid=next(grids),
+        tick_style="muted small",
+        centred=True,
+    )
     parts = [
         plot.frame(
             across,
-            Scale(
-                "variance",
-                "DN²",
-                variances,
-                grid=next(grids),
-                style="image",
-                tick_style="muted small",
-            ),
+            Scale("noise: variance", "DN²", variances, grid=next(grids), tick_style="muted small"),
         ),
         *theory(plot, curve),
     ]
