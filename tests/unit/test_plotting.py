@@ -16,7 +16,7 @@ from support.label_boxes import in_figures, labels
 from simulations.engine.letters import width_of
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.clipping import clipped
-from simulations.engine.plotting.labels import Label, Rectangle, place_labels
+from simulations.engine.plotting.labels import Label, Rectangle, name_curves, place_labels
 from simulations.engine.plotting.matplotlib import plots_of
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
@@ -167,6 +167,18 @@ def test_label_far_from_its_point_has_a_leader() -> None:
     crowd = [Label((200, 150 + n), "a long name", leader="muted thin") for n in range(12)]
     assert "<line" not in place_labels(crowd[:1], WHOLE)
     assert 'class="muted thin"' in place_labels(crowd, WHOLE)
+
+
+def test_curves_are_named_beside_themselves_and_off_all_curves() -> None:
+    x = np.linspace(0, 10, 61)
+    curves = {"low": 0.01 + 0 * x, "middle": 0.3 + 0 * x, "rising": 0.5 * 10 ** (x / 10)}
+    drawn = name_curves(PLOT, x, [(name, "ray bold", y) for name, y in curves.items()])
+    for label in labels(f"<svg>{drawn}</svg>", in_figures):
+        middle, box = (label.box.top + label.box.bottom) / 2, label.box
+        under = (PLOT.x.position(x) > box.left) & (PLOT.x.position(x) < box.right)
+        rows = {name: PLOT.y.position(y)[under] for name, y in curves.items()}
+        assert not any(((row > box.top) & (row < box.bottom)).any() for row in rows.values())
+        assert label.text == min(rows, key=lambda name: np.abs(rows[name] - middle).min())
 
 
 @pytest.mark.parametrize(

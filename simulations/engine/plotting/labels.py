@@ -16,6 +16,7 @@ import numpy as np
 from simulations.engine.drafting import label
 from simulations.engine.drawing import Point, line
 from simulations.engine.letters import ASCENT, DESCENT, size_of, width_of
+from simulations.engine.plotting.plot import Plot
 
 SIDES = {
     "above right": (1, -1),
@@ -34,6 +35,8 @@ APART = 1.5
 """The multiple from which on a label needs its leader line."""
 OUTSIDE, ON_LABEL, ON_CURVE, LATER = 1e3, 1e2, 20.0, 2.0
 """Costs: per unit outside, per unit of overlapping area, per hidden point, per later place."""
+CHOICE = 6
+"""Points of a curve from one possible place of its name to the next."""
 SPACING = 5.0
 """Distance of the points at which a curve is tested."""
 
@@ -123,6 +126,29 @@ def place_labels(
             marks.append(line(end, best.point, entry.leader))
         marks.append(label(best.baseline, entry.words, entry.style, best.anchor))
     return "".join(marks)
+
+
+def name_curves(plot: Plot, xs: np.ndarray, curves: Sequence[tuple[str, str, np.ndarray]]) -> str:
+    """SVG of the names of curves ``(words, style, ys)``, each where its curve is far from the
+    others and, if possible, above or below all of them."""
+    heights = np.clip([plot.y.position(ys) for *_, ys in curves], plot.y.end, plot.y.start)
+    across, labels = plot.x.position(xs), []
+    for index, (words, style, _) in enumerate(curves):
+        off = np.delete(heights, index, axis=0) - heights[index]
+        outer = (off > 0.0).all(axis=0) | (off < 0.0).all(axis=0)
+        gap = np.round(np.where(outer, 2.0, 1.0) * np.abs(off).min(axis=0), 1)
+        ranked = np.argsort(-gap[CHOICE:-CHOICE:CHOICE], kind="stable") * CHOICE + CHOICE
+        ranked = ranked[2.0 * gap[ranked] >= gap[ranked[0]]]
+        nearest = off[np.abs(off[:, ranked[0]]).argmin(), ranked[0]]
+        first, *others = zip(across[ranked], heights[index, ranked], strict=True)
+        rises = heights[index, ranked[0] + 1] < heights[index, ranked[0] - 1]
+        side = "above " if nearest > 0.0 else "below "
+        side += "left" if rises == (nearest > 0.0) else "right"
+        labels.append(
+            Label(first, words, f"{style.split()[0]} small ground", prefer=side, others=others)
+        )
+    inside = Rectangle(plot.x.start + 2, plot.y.end, plot.x.end, plot.y.start - 2)
+    return place_labels(labels, inside, [[*zip(across, row, strict=True)] for row in heights])
 
 
 def _places(entry: Label, inside: Rectangle) -> Iterator[Placed]:

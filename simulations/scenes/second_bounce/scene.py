@@ -15,7 +15,7 @@ from simulations.engine.drawing import cased, circle, line, text
 from simulations.engine.frame import Frame, Panel, Raster, format_number, readout
 from simulations.engine.handles import Handle
 from simulations.engine.plotting import Axis, Plot, Scale
-from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.plotting.labels import name_curves
 from simulations.engine.raster import of_planes
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
@@ -38,14 +38,9 @@ RED = 0.1  # share of the white's albedo that red paint has in green and blue
 COLUMNS = 510  # pixels across and down, at rest
 PLACES: Floats = np.linspace(0.0, 1.0, room.FINER + 1)  # distances from the edge on the line
 
-PLOT = Plot(Axis(-1.0, 1.0, 42.0, 386.0), Axis(0.0, 1.2, 262.0, 44.0))
+PLOT = Plot(Axis(-1.0, 1.0, 42.0, 386.0), Axis(0.0, 1.2, 262.0, 22.0))
 """Places along the wall from −1 to 0, along the floor from 0 to 1."""
 FROM_EDGE = Scale(ticks=[(place, f"{abs(place):g}") for place in (-1, 0, 1)])
-LEGEND = (
-    Entry("lamp alone", "light dashed"),
-    Entry("red light", "ray bold"),
-    Entry("blue light", "image"),
-)
 ALONG = np.concatenate([PLACES - 1.0, PLACES])
 
 
@@ -191,11 +186,16 @@ def marks(settings: Settings) -> str:
 def curves(profile: Profile, place: float) -> str:
     red, blue = profile.all_light.T
     _, red_here, blue_here = profile.at(place)
-    drawn = ((profile.lamp, "light dashed"), (blue, "image"), (red, "ray bold"))
+    drawn = (
+        ("lamp alone", "light dashed", profile.lamp),
+        ("blue light", "image", blue),
+        ("red light", "ray bold", red),
+    )
     return "".join(
         (
             axes(),
-            *(PLOT.curve(ALONG, np.minimum(each, PLOT.y.high), style) for each, style in drawn),
+            *(PLOT.curve(ALONG, np.minimum(each, PLOT.y.high), style) for _, style, each in drawn),
+            name_curves(PLOT, ALONG, drawn),
             PLOT.drop(place, red_here, "muted thin"),
             PLOT.mark(place, blue_here, "image", radius=4.0),
             PLOT.mark(place, red_here, "ray"),
@@ -213,7 +213,6 @@ def axes() -> str:
             text((wall, foot + 38), "← up the left wall", "world small", "middle"),
             text((floor, foot + 38), "along the floor →", "world small", "middle"),
             text((edge, foot + 38), "edge", "world small", "middle"),
-            legend((PLOT.x.start, 22), LEGEND, "small", PLOT.x.end - PLOT.x.start),
         )
     )
 
