@@ -19,6 +19,7 @@ from simulations.engine.drawing import circle, dot, group, line, path, text
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.labels import name_curves
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.scene import Scene
@@ -189,11 +190,12 @@ def _names(chosen: str) -> Iterator[str]:
 def progress(settings: Settings, outputs: Outputs) -> str:
     """The angle that each way has turned the camera by, against the progress along it."""
     share, here = settings.t, float(turned_deg(outputs["paths"][settings.blend](settings.t)))
-    curves = outputs["curves"].items()
+    curves = [(LABELS[name], STYLES[name], each) for name, each in outputs["curves"].items()]
     parts = (
         PLOT.frame(*SCALES),
         PLOT.drop(share, here),
-        *(PLOT.curve(SHARES, curve, STYLES[name]) for name, curve in curves),
+        *(PLOT.curve(SHARES, curve, style) for _, style, curve in curves),
+        name_curves(PLOT, SHARES, curves),
         PLOT.mark(share, here, ROLES[settings.blend]),
     )
     return "".join(parts)
