@@ -23,7 +23,8 @@ def contact_sheet(
     one left out is crossed."""
     width, height = given.size
     scale = min(FRAME[0] / width, FRAME[1] / height)
-    parts = [label((LEFT + HEAD, HEAD + 4.0), "Press a photograph to leave it out", "small")]
+    words = "Press here to take it in again" if without else "Press a photograph to leave it out"
+    parts = [label((LEFT + HEAD, HEAD + 4.0), words, "small")]
     for index, (error, is_used) in enumerate(zip(errors_px, used, strict=True)):
         x, y = middle_of(index + 1)
         corner = (x - 0.5 * scale * width, y - 0.5 * scale * height)
