@@ -40,7 +40,8 @@ NUMBER = (16.0, 34.0)  # place of the one large number
 ACROSS = Axis(0.0, float(len(LENSES)), LEFT, RIGHT)
 COUNTS = Axis(LEAST, MOST, 58.0, RIGHT, log=True)  # of photographs
 COUNTED = (3, 5, 10, 20, 40)
-TICKS = ("none", "1", "2", "2 + 2", "3 + 2", "6 + 2", "fisheye")
+TERMS = ("none", "1", "2", "2 + 2", "3 + 2", "6 + 2", "fisheye")
+TICKS = [(place + 0.5, terms) for place, terms in enumerate(TERMS)]
 """Each model has the terms of those before it, but the fisheye, which has its own four."""
 SETTLED_FROM = 5
 """Count from which errors must fit into the plot; with fewer they may be huge."""
@@ -155,11 +156,7 @@ def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
     parts = [
         plot.region(x=(middle - 0.5, middle + 0.5)),
         plot.frame(
-            Scale(
-                "terms: radial + tangential",
-                ticks=[(index + 0.5, name) for index, name in enumerate(TICKS)],
-                style="small",
-            ),
+            Scale("terms: radial + tangential", ticks=TICKS, style="small"),
             Scale(
                 "RMS error",
                 "px",

@@ -40,9 +40,8 @@ from simulations.scenes.photon_transfer.results import EXPORTS, measured, readou
 SMALL = 0.1  # megapixels of the photograph that is looked at: it only chooses the pair
 SIZE = WIDTH, HEIGHT = 400.0, 300.0
 LEFT, RIGHT, FOOT, TOP = 50.0, 380.0, 228.0, 34.0
-MEANS = Scale(
-    "light: mean above black", "digital numbers (DN)", style="small", tick_style="muted small"
-)
+small_scale = partial(Scale, style="small", tick_style="muted small")
+MEANS = small_scale("light: mean above black", "digital numbers (DN)")
 ROWS, COLUMNS, GAP = 100, 66, 2  # of the part of a frame shown, and the space between two, in px
 CELL = 3.0  # side of a pixel in the panel
 SPREAD = 3.5  # standard deviations from mid-grey to white
@@ -63,10 +62,7 @@ def transfer(
     plot = plot_of(measured, room * (noise + error), HIGHEST_DN2 if simulated else 0.0)
     end, style = 0.01 * most * measured.saturation_dn, "error bold" if reason else "ray bold"
     yield plot.region(x=(end, measured.span_dn))
-    yield plot.frame(
-        MEANS,
-        Scale("variance of the noise", "DN²", 4, style="small", tick_style="muted small"),
-    )
+    yield plot.frame(MEANS, small_scale("variance of the noise", "DN²", 4))
     if estimate.noise:  # solid as far as it was fitted
         x = np.linspace(0.0, plot.x.high, 101)
         y = estimate.noise.at(x)
@@ -101,8 +97,7 @@ def pattern(
         np.sqrt(np.maximum(each, 0.0)) for each in (variance - error, variance, variance + error)
     )
     plot = plot_of(measured, 1.1 * top, HIGHEST_DN if simulated else 0.0)
-    up = Scale("pattern from cell to cell", "DN", 4, style="small", tick_style="muted small")
-    yield plot.frame(MEANS, up)
+    yield plot.frame(MEANS, small_scale("pattern from cell to cell", "DN", 4))
     if estimate.pattern is not None:
         x = np.linspace(0.0, measured.span_dn, 101)
         shared = estimate.pattern.start + estimate.pattern.slope * x**2
