@@ -321,10 +321,10 @@ class CodeAnswer extends HTMLElement {
 
   #showTrials({ trials }: Found) {
     const asked = trials.filter((trial) => trial.asked);
-    const passed = asked.filter((trial) => trial.passed).length;
-    if (asked.length) this.#add(words("exercise.hard_passed", { passed, count: asked.length }));
-    const others = trials.filter((trial) => !trial.passed);
-    if (others.length === 0) return;
+    const failed = asked.filter((trial) => !trial.passed);
+    const [count, passed] = [asked.length, asked.length - failed.length];
+    if (count) this.#add(words("exercise.hard_passed", { passed, count }));
+    if (failed.length === 0) return;
     const name = this.#question.program.model.split(":")[1];
     const valid = trials.some(({ expected }) => /, (True|False)$/.test(expected));
     const said = [
@@ -332,20 +332,13 @@ class CodeAnswer extends HTMLElement {
       valid ? words("exercise.hard_valid") : "",
     ];
     this.#add(said.join(" ").trim()).className = "fine";
-    this.#listTrials(others.filter((trial) => trial.asked));
-    const beyond = others.filter((trial) => !trial.asked);
-    if (beyond.length) this.#add(words("exercise.hard_beyond", { name }));
-    this.#listTrials(beyond);
-  }
-
-  #listTrials(trials: Trial[]) {
     const list = element("ul");
-    for (const { call, got, expected, why } of trials) {
+    for (const { call, got, expected, why } of failed) {
       list.append(
         element("li", "", printable(words("exercise.hard_case", { call, got, expected, why }))),
       );
     }
-    if (trials.length) this.#results.append(list);
+    this.#results.append(list);
   }
 
   /** @param right What is stored, if it is right. */
