@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, dataclass
+from functools import partial
 
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.ticks import Tick, number_words
@@ -37,3 +38,7 @@ class Scale:
         for tick in ticks:
             value, words = tick if isinstance(tick, tuple) else (tick, number_words(tick))
             yield axis.place(value), words
+
+
+small_scale = partial(Scale, style="small", tick_style="muted small")
+"""A scale in small letters."""

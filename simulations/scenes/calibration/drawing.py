@@ -12,7 +12,7 @@ from simulations.engine.letters import width_of
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting.scale import Scale, small_scale
 from simulations.engine.space.view import View
 from simulations.models.arrays import Floats
 from simulations.models.calibration.camera import LENSES, Poses
@@ -157,14 +157,7 @@ def model_errors(trials: tuple[Trial, ...], chosen: Trial) -> str:
         plot.region(x=(middle - 0.5, middle + 0.5)),
         plot.frame(
             Scale("terms: radial + tangential", ticks=TICKS, style="small"),
-            Scale(
-                "RMS error",
-                "px",
-                round_errors,
-                grid=round_errors,
-                style="small",
-                tick_style="muted small",
-            ),
+            small_scale("RMS error", "px", round_errors, grid=round_errors),
         ),
         plot.curve(x[:series], used[:series], "image"),
         plot.curve(x[:series], left_out[:series], "error bold"),
@@ -215,8 +208,8 @@ def growth(grown: Growth, count: int, truth: float | None, focal: str) -> str:
         text(NUMBER, f"{focal} px", "large image"),
         plot.between(counts, value + error, value - error, "image fill faint"),
         plot.frame(
-            Scale("photographs", ticks=COUNTED, style="small", tick_style="muted small"),
-            Scale("f_x", "px", style="small", tick_style="muted small"),
+            small_scale("photographs", ticks=COUNTED),
+            small_scale("f_x", "px"),
         ),
         plot.curve(counts, value, "image bold"),
         "" if truth is None else plot.level(truth, "world dashed"),

@@ -16,7 +16,7 @@ from simulations.engine.photograph import Whole
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.legend import Entry, legend
 from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting.scale import small_scale
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
@@ -40,7 +40,6 @@ from simulations.scenes.photon_transfer.results import EXPORTS, measured, readou
 SMALL = 0.1  # megapixels of the photograph that is looked at: it only chooses the pair
 SIZE = WIDTH, HEIGHT = 400.0, 300.0
 LEFT, RIGHT, FOOT, TOP = 50.0, 380.0, 228.0, 34.0
-small_scale = partial(Scale, style="small", tick_style="muted small")
 MEANS = small_scale("light: mean above black", "digital numbers (DN)")
 ROWS, COLUMNS, GAP = 100, 66, 2  # of the part of a frame shown, and the space between two, in px
 CELL = 3.0  # side of a pixel in the panel

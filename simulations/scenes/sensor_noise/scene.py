@@ -27,7 +27,7 @@ from simulations.engine.instrument import Instrument
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.plotting.plot import Plot
-from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting.scale import small_scale
 from simulations.engine.plotting.ticks import log_ticks
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
@@ -111,21 +111,9 @@ def transfer_plot(
     plot = curve.plot
     means, variances = (log_ticks(axis.low, axis.high, 3) for axis in (plot.x, plot.y))
     grids = ([value for value, _ in ticks] for ticks in (means, variances))
-    across = Scale(
-        "light: mean",
-        "digital numbers (DN)",
-        means,
-        grid=next(grids),
-        tick_style="muted small",
-        centred=True,
-    )
-    parts = [
-        plot.frame(
-            across,
-            Scale("noise: variance", "DN²", variances, grid=next(grids), tick_style="muted small"),
-        ),
-        *theory(plot, curve),
-    ]
+    across = small_scale("light: mean", "digital numbers (DN)", means, grid=next(grids))
+    up = small_scale("noise: variance", "DN²", variances, grid=next(grids))
+    parts = [plot.frame(across, up), *theory(plot, curve)]
     crosses: list[Point] = []
     if unequal:
         pairs = zip(transfer.mean_dn.tolist(), transfer.one_frame_dn2.tolist(), strict=True)
