@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from simulations.engine.frame import Frame, Panel, format_number, readout
+from simulations.engine.handles import Handle, Point
 from simulations.engine.plotting.axis import Axis
 from simulations.engine.plotting.labels import Label, Rectangle, place_labels
 from simulations.engine.plotting.plot import Plot
@@ -129,4 +130,15 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     )
 
 
-SCENE = Scene("camera-budget", "A Camera within a Budget", Settings, draw, STAGES)
+def plan_at(settings: Settings, outputs: Outputs) -> Point:
+    return PLOT.clamped(*whole(outputs["results"][settings.plan]))
+
+
+SCENE = Scene(
+    "camera-budget",
+    "A Camera within a Budget",
+    Settings,
+    draw,
+    STAGES,
+    (Handle("plan", "chart", "Plan", ("plan",), plan_at, reach="press", role="image"),),
+)

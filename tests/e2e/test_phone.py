@@ -41,7 +41,7 @@ def test_controls_tools_and_panels_are_folded_on_a_phone_until_needed(
         for each in folded.all():
             expect(each).to_be_visible(visible=shown)
 
-    phone.open(chapter_of(book, "lens-distortion"), live=False)
+    phone.open(chapter_of(book, "two-views"), live=False)
     figure = phone.page.locator(OF_THREE_PANELS)
     title = figure.locator(".other-panels > :last-child > .panel-title")
     expect(title).to_have_css("opacity", "0")  # hidden while only its panel's edge is visible
@@ -59,7 +59,7 @@ def test_controls_tools_and_panels_are_folded_on_a_phone_until_needed(
     assert drawn or own, "a menu has an arrow in forced colours too"
 
 
-OF_THREE_PANELS = "#figure-two-coefficients simulation-figure"
+OF_THREE_PANELS = "#figure-two-views simulation-figure"
 IN_ONE_ROW = """(one, other) => {
   const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
   return a.top < b.bottom && b.top < a.bottom;
@@ -75,13 +75,13 @@ def test_panels_stay_where_they_were_scrolled_and_leave_room_for_controls(
 ) -> None:
     page = visitor.page
     page.set_viewport_size(PHONE)
-    visitor.turn_to("lens-distortion/")
+    visitor.turn_to(chapter_of(book, "two-views"))
     figure = page.locator(OF_THREE_PANELS)
     strip = figure.locator(".other-panels")
     strip.press("ArrowRight")
     visitor.wait_for(strip, SECOND_IS_SHOWN)
     with visitor.next_frame(figure):
-        figure.locator("input[name=k1]").press("ArrowRight")
+        figure.locator("input[type=range]").first.press("ArrowRight")
     assert strip.evaluate(SECOND_IS_SHOWN)
     page.set_viewport_size({"width": 1280, "height": 900})
     figure = visitor.turn_to_figure(book, "tiled-floor")

@@ -168,7 +168,7 @@ def _joined(segments: Iterable[tuple[list[float], list[float]]]) -> list[list[li
 def shaded(corners: ArrayLike, view: View, towards_light: ArrayLike) -> int:
     """Layers of colour of a face (n, 3): from 1 facing a distant light to 4 facing away.
 
-    The side that faces the viewer counts.
+    The side that faces the viewer counts; a face seen edge on is between them.
     """
     (x0, y0, z0), (x1, y1, z1), (x2, y2, z2) = np.asarray(corners, float)[:3].tolist()
     one, other = (x1 - x0, y1 - y0, z1 - z0), (x2 - x0, y2 - y0, z2 - z0)
@@ -180,7 +180,7 @@ def shaded(corners: ArrayLike, view: View, towards_light: ArrayLike) -> int:
     size = max(math.hypot(*normal), 1e-9)
     away = _dot(normal, view.axes[2].tolist())
     light = np.asarray(towards_light, float).tolist()
-    lit = -math.copysign(1.0, away) * _dot(normal, light) / size if away else 0.0
+    lit = -math.copysign(1.0, away) * _dot(normal, light) / size if abs(away) > 1e-9 * size else 0.0
     return 1 + round(0.5 * DARKEST * (1.0 - lit))
 
 
