@@ -201,7 +201,7 @@ function restoreScroll() {
   const target = hashTarget();
   const stored = history.state?.scroll;
   unfold(target);
-  if (stored === undefined && target) target.scrollIntoView();
+  if (stored === undefined && target) target.scrollIntoView({ behavior: "instant" });
   else jumpTo(stored ?? 0);
 }
 
