@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, quantile_of
 from simulations.models.calibration.board_shape import SHAPES, corners_numbered_alike, flat_shape
 from simulations.models.calibration.bundle_adjustment import MOST_STEPS, Adjusted, refine
 from simulations.models.calibration.camera import LENSES, PINHOLE, Camera, Poses
@@ -50,6 +50,8 @@ DRAFT_STEPS = 3
 BEYOND_A_STEP = 2.0
 """Error of a photograph that is left out, in those that the fit leaves, from which it is fitted
 anew without it."""
+OFF = 2.0
+"""Error of a photograph, in that of most others, from which another pose of its board is tried."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -129,10 +131,25 @@ def compare(views: Views, size: tuple[int, int]) -> tuple[Trial, ...]:
         except UndeterminedError as found:
             problem = found
             continue
-        camera, poses = trials[-1].fit.camera, trials[-1].fit.poses
+        camera, poses = trials[-1].fit.camera, _turned_back(views, trials[-1].fit)
     if not trials:
         raise problem
     return tuple(trials)
+
+
+def _turned_back(views: Views, fit: Adjusted) -> Poses:
+    """The poses; of boards that fit far worse than the others, the pose from their corners alone if
+    that fits better. Turned over, a board looks nearly the same, and a model too poor may lead to
+    that pose."""
+    off, R, t = rms_of_each(views, fit), fit.poses.R.copy(), fit.poses.t.copy()
+    for index in np.flatnonzero(off > OFF * quantile_of(off)).tolist():
+        one = views.take([index])
+        with suppress(UndeterminedError):
+            pose = estimate_poses(one, fit.camera)
+            found = refine(one, fit.camera, pose, (), ENOUGH_STEPS, draft=True)
+            if rms_px(one, found) < off[index]:
+                R[index], t[index] = found.poses.R[0], found.poses.t[0]
+    return replace(fit.poses, R=R, t=t)
 
 
 def fisheye_start(

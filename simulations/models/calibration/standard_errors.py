@@ -36,6 +36,9 @@ from simulations.models.calibration.zhang import TILT, UndeterminedError
 
 UNSURE = 0.1
 """Relative standard error of a focal length from which it counts as undetermined."""
+ROUNDING = 1e-13
+"""Share of the information that counts as none. Coefficients of the rational model that make up for
+each other may have no more, and the focal length has the rest."""
 PARALLEL = math.cos(math.radians(1.0))
 """Cosine of the angle within which all boards are parallel. Parallel boards tell no focal length;
 only noise, or a lens that bends them, pretends that they do."""
@@ -73,15 +76,13 @@ def uncertainty(views: Views, fit: Adjusted, free: tuple[str, ...]) -> Uncertain
     S = each.sum(axis=0)
     sigma = noise_px(views, fit, len(free))
     scale = 1.0 / np.sqrt(np.maximum(np.diagonal(S), np.finfo(float).tiny))
-    try:
-        inverse = np.linalg.inv(S * scale[:, None] * scale)
-    except np.linalg.LinAlgError:
-        raise UndeterminedError(TILT) from None
+    inverse = np.linalg.inv(S * scale[:, None] * scale + ROUNDING * np.eye(len(free)))
     covariance = sigma * sigma * inverse * scale[:, None] * scale
-    known = np.diagonal(inverse) > 0.0
+    needed = [name in PINHOLE + fit.poses.shape.names for name in free]
+    is_open = np.diagonal(inverse)[needed] > 0.5 / ROUNDING
     focal = [i for i, name in enumerate(free) if name in PINHOLE[:2]]
-    unsure = np.sqrt(np.abs(np.diagonal(covariance))[focal]) > UNSURE * fit.camera.fx
-    if not known.all() or np.any(unsure):
+    unsure = np.sqrt(np.diagonal(covariance)[focal]) > UNSURE * fit.camera.fx
+    if np.any(is_open) or np.any(unsure):
         raise UndeterminedError(TILT)
     return Uncertainty(free, covariance, spread(each, g), sigma, np.zeros(len(free)))
 

@@ -4,7 +4,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.chequerboards import SIZE, calibrate, photographs
+from support.chequerboards import (
+    BENT_SIZE,
+    BOARD_WORLDS,
+    SIZE,
+    bent_views,
+    calibrate,
+    photographs,
+)
 
 from simulations.models.calibration.advice import Coverage, coverage, next_photograph
 from simulations.models.calibration.bundle_adjustment import refine
@@ -34,6 +41,20 @@ def test_true_model_of_the_photographs_is_supported(lens: Distortion, expected: 
     assert min(trials, key=lambda trial: trial.aic).rms_px == pytest.approx(
         supported(trials).rms_px, rel=0.01
     )
+
+
+@pytest.mark.parametrize(
+    ("world", "seed", "expected"),
+    [
+        pytest.param("rational lens", 20, "rational", id="coefficients make up for each other"),
+        pytest.param("buckled by 2 mm", 176, "k1k2", id="a poor model turns a board over"),
+    ],
+)
+def test_lens_is_found_although(world: str, seed: int, expected: str) -> None:
+    truth, views = bent_views(BOARD_WORLDS[world], np.random.default_rng((len(world), seed)))
+    found = supported(compare(views, BENT_SIZE))
+    assert found.lens == expected
+    assert found.fit.camera.cx == pytest.approx(truth.cx, abs=1.0)
 
 
 def test_errors_count_the_distance_to_the_richest_model() -> None:
