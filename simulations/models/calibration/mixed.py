@@ -12,7 +12,8 @@ So σ² is what a number of a distortion of their own gains on average, if that 
 
 Or the photographs are parted in two groups, whose cameras are θ + δ and θ − δ. With the sign sᵢ of
 each, e = Σ sᵢ gᵢ and C = Σ sᵢ Sᵢ, the sum of squares falls by eᵀ (S − Cᵀ S⁻¹ C)⁻¹ e, in the space
-of δ; the largest fall is found by changing one sign at a time, from signs at random.
+of δ; the largest fall is found by changing one sign at a time, from signs at random, and again at
+the camera of the larger group.
 
 Both falls are judged by the F distribution, each multiplied by the number of choices that were
 compared: photographs, and ways to part them.
@@ -43,87 +44,96 @@ AGAIN = 0.02
 """The same of those that are left, once some have been found to differ."""
 OWN = "k1", "k2", "p1", "p2"
 """Numbers of a distortion of their own; of a fisheye the first two."""
-OPEN, RIDGE = 1e-6, 1e-9
-"""Shares of the information that count as none: one board tells two numbers."""
+OPEN = 1e-9
+"""Share of the information that counts as none: one board tells two numbers."""
 LEAST = 4
 """Photographs that can be compared."""
 GROUPS = 3
 """Most groups that are taken away one after another."""
-STARTS, ROUNDS = 30, 100
+STARTS, ROUNDS = 30, 4
 
 
 def differing(views: Views, trial: Trial) -> tuple[int, ...]:
     """The photographs that differ from the larger group, which are taken away in up to `GROUPS`
     steps until the rest may be by one camera; all, if half does not do; none, if none differs."""
     fit, free = trial.fit, trial.free + trial.fit.poses.shape.names
-    every = range(len(views))
-    rest, alarms = list(every), FALSE_ALARMS
+    own = OWN[:2] if isinstance(fit.camera.lens, Fisheye) else OWN
+    every = np.arange(len(views))
+    rest, alarms = every, FALSE_ALARMS
     for _ in range(GROUPS):
-        found = _suspected(views.take(rest), fit, free, alarms)
+        now = views.take(rest.tolist())
+        found = _suspected(now, fit, free, own, alarms)
         if found is None:
-            return tuple(index for index in every if index not in rest)
-        fit = replace(fit, poses=fit.poses.take(np.flatnonzero(~found).tolist()))
-        rest = [index for index, is_odd in zip(rest, found, strict=True) if not is_odd]
+            return (*np.setdiff1d(every, rest).tolist(),)
+        free, alarms = (*dict.fromkeys(PINHOLE + own + free),), AGAIN
+        try:
+            fit, found = _larger(now, fit, free, own, found)
+        except UndeterminedError:
+            return (*np.setdiff1d(every, rest[~found]).tolist(),)
+        rest = rest[~found]
         if 2 * len(rest) < len(views):
             break
-        free, alarms = _with_own(fit, free), AGAIN
-        try:
-            fit = refine(views.take(rest), fit.camera, fit.poses, free)
-        except UndeterminedError:
-            return tuple(index for index in every if index not in rest)
-    return tuple(every)
+    return (*every.tolist(),)
 
 
-def _with_own(fit: Adjusted, free: tuple[str, ...]) -> tuple[str, ...]:
-    """The free parameters, and `OWN` after focal lengths and principal point."""
-    more = OWN[:2] if isinstance(fit.camera.lens, Fisheye) else OWN
-    return (*dict.fromkeys(PINHOLE + more + free),)
+def _larger(
+    views: Views, fit: Adjusted, free: tuple[str, ...], own: tuple[str, ...], smaller: Mask
+) -> tuple[Adjusted, Mask]:
+    """The camera of the larger group, and the smaller group (P,) by that camera: one between the
+    two may part them wrongly."""
+    for _ in range(ROUNDS):
+        found, larger = smaller, np.flatnonzero(~smaller).tolist()
+        alone = refine(views.take(larger), fit.camera, fit.poses.take(larger), free)
+        poses = replace(fit.poses, shape=alone.poses.shape)
+        fit = refine(views, alone.camera, poses, (), draft=True)
+        again = _suspected(views, fit, free, own, math.inf)
+        if again is None or len(set(again ^ found)) == 1:
+            break
+        smaller = again
+    return alone, found
 
 
 def _suspected(
-    views: Views, fit: Adjusted, free: tuple[str, ...], false_alarms: float
+    views: Views, fit: Adjusted, free: tuple[str, ...], more: tuple[str, ...], false_alarms: float
 ) -> Mask | None:
     """The smaller of the two groups (P,) that differ most, unless all may be by one camera."""
-    count, names = len(views), _with_own(fit, free)
-    more = tuple(name for name in names if name in OWN)
-    S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, names)))
-    own = np.zeros((len(names), 3 + len(more)))  # f as a share, c in px
-    own[range(4), (0, 0, 1, 2)] = *fit.camera.values(PINHOLE[:2]), 1.0, 1.0
-    own[range(4, 4 + len(more)), range(3, 3 + len(more))] = 1.0
-    gains, both = _gains(S, g, own[:, :3]), _gains(S, g, own)
+    count, names = len(views), (*dict.fromkeys(PINHOLE + more + free),)
     spare = 2 * views.corners - len(free) - (9 + len(more)) * count
     if count < LEAST or spare < 1:
         return None
-    noise = (fit.cost - both.sum()) / spare
-    noise = max(noise, float(both.sum() - gains.sum()) / (len(more) * count))
+    S, g = reduced(blocks_of(linearise(views, fit.camera, fit.poses, names)))
+    scale = 1.0 / np.sqrt(np.diagonal(S.sum(axis=0)))
+    S, g = S * scale[:, None] * scale, g * scale
+    own = np.eye(len(names))[:, 1 : 4 + len(more)]
+    own[:2, 0] = fit.camera.values(PINHOLE[:2]) / scale[:2]
+    own /= np.sqrt(np.diagonal(own.T @ S.sum(axis=0) @ own))
+    share, each = g @ own, own.T @ S @ own
+    first, first_each, both = share[:, :3], each[:, :3, :3], _falls(share, each).sum()
+    gains = _falls(first, first_each)
+    noise = (fit.cost - both) / spare
+    noise = max(noise, float(both - gains.sum()) / (len(more) * count))
+    by = [0, 1, 2, *range(5, own.shape[1])]  # without k1 and k2
     is_free = [names.index(name) for name in free]
-    by_odd = own[:, [0, 1, 2, *range(5, own.shape[1])]]  # without k1 and k2
-    is_first, gain = _parted(S, g, by_odd, is_free)
-    share, each = g @ own[:, :3], own[:, :3].T @ S @ own[:, :3]
-    apart = gains + (share * _solved(each.sum(axis=0) - each, share)).sum(axis=-1)
-    smaller = is_first if 2 * np.count_nonzero(is_first) <= count else ~is_first
-    ways = math.comb(count, np.count_nonzero(smaller)) * (count // 2)
-    numbers = by_odd.shape[1]
-    left = 3 * (count - 1) - numbers
+    root = np.linalg.cholesky(S.sum(axis=0)[np.ix_(is_free, is_free)] + OPEN * np.eye(len(free)))
+    across = np.linalg.solve(root, S[:, is_free] @ own[:, by])  # CᵀS⁻¹C is its square
+    common = np.linalg.solve(root, g.sum(axis=0)[is_free])
+    odd = share[:, by] - common @ across
+    smaller, gain = _parted(odd, each.sum(axis=0)[np.ix_(by, by)], across)
+    apart = gains + _falls(first, first_each.sum(axis=0) - first_each)
+    left = 3 * (count - 1) - len(by)
     within = max(float(gains.sum()) - gain, left * noise)
+    ways = math.comb(count, np.count_nonzero(smaller)) * (count // 2)
     alarms = (
         count * _exceeded(apart.max() / noise, 3, len(more) * count),
-        ways * _exceeded(left * gain / within, numbers, left),
+        ways * _exceeded(left * gain / within, len(by), left),
     )
     return smaller if min(alarms) < false_alarms else None
 
 
-def _solved(matrices: Floats, right: Floats) -> Floats:
-    """Solutions (..., m) of symmetric equations, without what they leave open."""
-    scale = 1.0 / np.sqrt(np.maximum(np.diagonal(matrices, axis1=-2, axis2=-1), 1e-300))
-    even = matrices * scale[..., :, None] * scale[..., None, :] + OPEN * np.eye(right.shape[-1])
-    return np.asarray(scale * np.linalg.solve(even, (scale * right)[..., None])[..., 0])
-
-
-def _gains(S: Floats, g: Floats, own: Floats) -> Floats:
-    """(P,) by how much the sum of squares falls if a photograph has ``own`` (m, k) for itself."""
-    share = g @ own
-    return np.asarray((share * _solved(own.T @ S @ own, share)).sum(axis=-1))
+def _falls(slopes: Floats, matrices: Floats) -> Floats:
+    """By how much sums of squares fall (...,) to the minimum of equations (..., m, m)."""
+    steps = np.linalg.solve(matrices + OPEN * np.eye(slopes.shape[-1]), slopes[..., None])
+    return np.asarray((slopes * steps[..., 0]).sum(axis=-1))
 
 
 def _exceeded(squares: float, numbers: int, left: int) -> float:
@@ -135,33 +145,19 @@ def _exceeded(squares: float, numbers: int, left: int) -> float:
     return math.exp(a * math.log(x) + math.lgamma(a + b) - math.lgamma(a + 1.0) - math.lgamma(b))
 
 
-def _parted(S: Floats, g: Floats, by_odd: Floats, free: list[int]) -> tuple[Mask, float]:
-    """The two groups of photographs (P,) whose cameras differ most, in what ``by_odd`` (m, k) has
-    of the parameters, and by how much the sum of squares falls with them; common to both are those
-    that are ``free``."""
-    every = S.sum(axis=0)
-    common = every[np.ix_(free, free)]
-    scale = 1.0 / np.sqrt(np.diagonal(common))
-    root = np.linalg.cholesky(common * scale * scale[:, None] + RIDGE * np.eye(len(free)))
-    across = np.linalg.solve(root, scale[:, None] * (S[:, free] @ by_odd))  # CᵀS⁻¹C is its square
-    share, odd = g @ by_odd, by_odd.T @ every @ by_odd
-
-    def gain(e: Floats, C: Floats) -> Floats:
-        left = odd - np.swapaxes(C, -1, -2) @ C
-        left = left + RIDGE * np.diag(np.diagonal(odd))
-        return np.asarray((e * np.linalg.solve(left, e[..., None])[..., 0]).sum(axis=-1))
-
-    signs = np.random.default_rng(0).choice((-1.0, 1.0), (STARTS, len(S)))
-    for _ in range(ROUNDS):
-        e, C = signs @ share, np.einsum("sp,pmk->smk", signs, across)
-        now = gain(e, C)
-        twice = 2.0 * signs[..., None]
-        then = gain(e[:, None] - twice * share, C[:, None] - twice[..., None] * across)
-        then[abs(signs.sum(axis=1, keepdims=True) - twice[..., 0]) > len(S) - 1] = 0.0
+def _parted(share: Floats, odd: Floats, across: Floats) -> tuple[Mask, float]:
+    """The smaller of the two groups of photographs (P,) whose cameras differ most, and by how much
+    the sum of squares falls with them; from S, g and C of the numbers that differ."""
+    signs = np.random.default_rng(0).choice((-1.0, 1.0), (STARTS, len(share)))
+    while True:
+        e, C, twice = signs @ share, np.einsum("sp,pmk->smk", signs, across), 2.0 * signs[..., None]
+        now = _falls(e, odd - np.swapaxes(C, -1, -2) @ C)
+        e, C = e[:, None] - twice * share, C[:, None] - twice[..., None] * across
+        then = _falls(e, odd - np.swapaxes(C, -1, -2) @ C)
+        then[abs(signs.sum(axis=1, keepdims=True) - twice[..., 0]) > len(share) - 1] = 0.0
         best = then.argmax(axis=1)
-        better = np.flatnonzero(then[range(STARTS), best] > now * (1.0 + RIDGE))
+        better = np.flatnonzero(then[range(STARTS), best] > now * (1.0 + OPEN))
         if not len(better):
-            break
+            most = now.argmax()
+            return signs[most] * (signs[most].sum() or 1.0) < 0.0, float(now[most])
         signs[better, best[better]] *= -1.0
-    first = int(now.argmax())
-    return signs[first] > 0.0, float(now[first])
