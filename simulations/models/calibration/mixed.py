@@ -58,22 +58,22 @@ def differing(views: Views, trial: Trial) -> tuple[int, ...]:
     steps until the rest may be by one camera; all, if half does not do; none, if none differs."""
     fit, free = trial.fit, trial.free + trial.fit.poses.shape.names
     own = OWN[:2] if isinstance(fit.camera.lens, Fisheye) else OWN
-    every = np.arange(len(views))
-    rest, alarms = every, FALSE_ALARMS
+    every = range(len(views))
+    rest, alarms = np.arange(len(views)), FALSE_ALARMS
     for _ in range(GROUPS):
         now = views.take(rest.tolist())
         found = _suspected(now, fit, free, own, alarms)
         if found is None:
-            return (*np.setdiff1d(every, rest).tolist(),)
+            return tuple(index for index in every if index not in rest)
         free, alarms = (*dict.fromkeys(PINHOLE + own + free),), AGAIN
         try:
             fit, found = _larger(now, fit, free, own, found)
         except UndeterminedError:
-            return (*np.setdiff1d(every, rest[~found]).tolist(),)
+            return tuple(index for index in every if index not in rest[~found])
         rest = rest[~found]
         if 2 * len(rest) < len(views):
             break
-    return (*every.tolist(),)
+    return tuple(every)
 
 
 def _larger(
